@@ -1,9 +1,10 @@
 //! Random operations on a disc, each kept by chance if it costs little: the way over a hill that no pair crosses.
 
 use crate::array_mesh::{ArrayMesh, Kind};
+use crate::compass::settle;
 use crate::goal::Weights;
 use crate::operations::operations;
-use crate::smooth::{Ring, settle};
+use crate::smooth::Ring;
 use crate::trial::Bench;
 use mindeg_mesh::Random;
 

@@ -5,7 +5,7 @@
 //! 1. Triangles are counter-clockwise; a dead one has [`NONE`] as its first vertex.
 //! 2. `neighbours[i]` lies across the edge opposite `vertices[i]`, and knows this triangle in turn; [`NONE`]
 //!    marks a boundary edge.
-//! 3. `locked` has bit i if the edge opposite vertex i is fixed; both triangles agree.
+//! 3. `labels[i]` says what the edge opposite vertex i is a part of, if it stays; both triangles agree.
 //! 4. `anchor` of a vertex is one of its triangles, or [`NONE`] if it is dead;
 //!    `triangles` is their number.
 //! 5. The triangles at a vertex form one fan: closed inside, open at the boundary.
@@ -13,7 +13,7 @@
 //! [`check`](ArrayMesh::check) tests them all; [`replace`](ArrayMesh::replace) tests what it touched in debug builds.
 
 use crate::goal::Goal;
-use glam::DVec2;
+use crate::space::{Plane, Space};
 
 /// No triangle, no vertex.
 pub(crate) const NONE: u32 = u32::MAX;
@@ -25,13 +25,22 @@ pub(crate) enum Kind {
     Boundary,
     /// Inside, but wanted by the user: stays.
     Fixed,
+    /// On a curve: may move along it and go.
+    Curve,
     /// Inside: may move and go.
     Free,
 }
 
+impl Kind {
+    /// True if the vertex may move.
+    pub(crate) fn is_movable(self) -> bool {
+        matches!(self, Self::Free | Self::Curve)
+    }
+}
+
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Vertex {
-    pub(crate) at: DVec2,
+pub(crate) struct Vertex<S: Space = Plane> {
+    pub(crate) at: S::Site,
     /// The wanted edge length here.
     pub(crate) size: f64,
     pub(crate) anchor: u32,
@@ -41,14 +50,24 @@ pub(crate) struct Vertex {
     pub(crate) kind: Kind,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Triangle {
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Triangle<S: Space = Plane> {
     pub(crate) vertices: [u32; 3],
     pub(crate) neighbours: [u32; 3],
-    pub(crate) locked: u8,
+    pub(crate) labels: [S::Label; 3],
+    pub(crate) patch: S::Patch,
 }
 
-impl Triangle {
+impl<S: Space> Triangle<S> {
+    pub(crate) fn new(vertices: [u32; 3], patch: S::Patch) -> Self {
+        Self { vertices, neighbours: [NONE; 3], labels: [S::Label::default(); 3], patch }
+    }
+
+    /// True if the edge opposite a corner stays.
+    pub(crate) fn is_locked(&self, corner: usize) -> bool {
+        self.labels[corner] != S::Label::default()
+    }
+
     pub(crate) fn is_alive(&self) -> bool {
         self.vertices[0] != NONE
     }
@@ -67,30 +86,22 @@ impl Triangle {
 
 /// One write, with what was there before.
 #[derive(Debug, Clone, Copy)]
-enum Change {
-    Triangle(u32, Triangle),
-    Vertex(u32, Vertex),
+enum Change<S: Space> {
+    Triangle(u32, Triangle<S>),
+    Vertex(u32, Vertex<S>),
     NewTriangle,
     NewVertex,
 }
 
 /// The triangles, the vertices, and the way back.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct ArrayMesh {
-    pub(crate) vertices: Vec<Vertex>,
-    pub(crate) triangles: Vec<Triangle>,
+#[derive(Debug, Clone)]
+pub(crate) struct ArrayMesh<S: Space = Plane> {
+    pub(crate) space: S,
+    pub(crate) vertices: Vec<Vertex<S>>,
+    pub(crate) triangles: Vec<Triangle<S>>,
     pub(crate) goals: Vec<Goal>,
-    log: Vec<Change>,
+    log: Vec<Change<S>>,
     is_recording: bool,
-}
-
-/// An edge of a cavity's rim, seen from inside the cavity.
-#[derive(Debug, Clone, Copy)]
-struct Rim {
-    from: u32,
-    to: u32,
-    neighbour: u32,
-    is_locked: bool,
 }
 
 impl ArrayMesh {
@@ -104,16 +115,32 @@ impl ArrayMesh {
         goals: Vec<Goal>,
         locked: &[[u32; 2]],
     ) -> Result<Self, String> {
-        let triangles = triangles
-            .iter()
-            .map(|t| Triangle { vertices: *t, neighbours: [NONE; 3], locked: 0 })
-            .collect();
-        let mut mesh = Self { vertices, triangles, goals, log: Vec::new(), is_recording: false };
+        let mut mesh = Self::linked(Plane, vertices, triangles, &[], goals)?;
+        for [a, b] in locked {
+            mesh.lock(*a, *b, true)?;
+        }
+        Ok(mesh)
+    }
+}
+
+impl<S: Space> ArrayMesh<S> {
+    /// Links triangles into a mesh without locked edges. `patches`: of each triangle, or none.
+    ///
+    /// Fails with a vertex where the triangles do not form one fan, or with an edge that two triangles use in one direction.
+    pub(crate) fn linked(
+        space: S,
+        vertices: Vec<Vertex<S>>,
+        triangles: &[[u32; 3]],
+        patches: &[S::Patch],
+        goals: Vec<Goal>,
+    ) -> Result<Self, String> {
+        let patch = |t: usize| patches.get(t).copied().unwrap_or_default();
+        let triangles =
+            triangles.iter().enumerate().map(|(t, v)| Triangle::new(*v, patch(t))).collect();
+        let (log, is_recording) = (Vec::new(), false);
+        let mut mesh = Self { space, vertices, triangles, goals, log, is_recording };
         mesh.link()?;
         mesh.anchor()?;
-        for [a, b] in locked {
-            mesh.lock(*a, *b)?;
-        }
         Ok(mesh)
     }
 
@@ -173,7 +200,7 @@ impl ArrayMesh {
     }
 
     /// Makes an edge stay; an error if it is not there.
-    pub(crate) fn lock(&mut self, a: u32, b: u32) -> Result<(), String> {
+    pub(crate) fn lock(&mut self, a: u32, b: u32, label: S::Label) -> Result<(), String> {
         let mut star = Vec::new();
         self.star(a, &mut star);
         let mut found = false;
@@ -181,18 +208,18 @@ impl ArrayMesh {
             let triangle = &mut self.triangles[t as usize];
             if triangle.vertices.contains(&b) {
                 let corner = (0..3).find(|i| ![a, b].contains(&triangle.vertices[*i]));
-                triangle.locked |= 1 << corner.unwrap_or(0);
+                triangle.labels[corner.unwrap_or(0)] = label;
                 found = true;
             }
         }
         if found { Ok(()) } else { Err(format!("edge {a}-{b} is missing")) }
     }
 
-    pub(crate) fn at(&self, vertex: u32) -> DVec2 {
-        self.vertices[vertex as usize].at
+    pub(crate) fn at(&self, vertex: u32) -> S::Vector {
+        S::position(&self.vertices[vertex as usize].at)
     }
 
-    pub(crate) fn corners(&self, triangle: u32) -> [DVec2; 3] {
+    pub(crate) fn corners(&self, triangle: u32) -> [S::Vector; 3] {
         self.triangles[triangle as usize].vertices.map(|v| self.at(v))
     }
 
@@ -257,119 +284,40 @@ impl ArrayMesh {
         self.is_recording = false;
     }
 
-    fn keep_triangle(&mut self, triangle: u32) {
+    /// Logs a triangle that is about to change.
+    pub(crate) fn keep_triangle(&mut self, triangle: u32) {
         if self.is_recording {
             self.log.push(Change::Triangle(triangle, self.triangles[triangle as usize]));
         }
     }
 
-    fn keep_vertex(&mut self, vertex: u32) {
+    /// Logs a vertex that is about to change.
+    pub(crate) fn keep_vertex(&mut self, vertex: u32) {
         if self.is_recording {
             self.log.push(Change::Vertex(vertex, self.vertices[vertex as usize]));
         }
     }
 
-    pub(crate) fn move_to(&mut self, vertex: u32, at: DVec2) {
+    pub(crate) fn move_to(&mut self, vertex: u32, at: S::Site) {
         self.keep_vertex(vertex);
         self.vertices[vertex as usize].at = at;
     }
 
-    /// A new free vertex, to be used by the next [`replace`](Self::replace).
-    pub(crate) fn push_vertex(&mut self, at: DVec2, size: f64) -> u32 {
-        self.vertices.push(Vertex {
-            at,
-            size,
-            anchor: NONE,
-            goal: NONE,
-            triangles: 0,
-            kind: Kind::Free,
-        });
+    /// A new triangle that nothing is linked to.
+    pub(crate) fn push_triangle(&mut self, triangle: Triangle<S>) {
+        self.triangles.push(triangle);
+        if self.is_recording {
+            self.log.push(Change::NewTriangle);
+        }
+    }
+
+    /// A new vertex, to be used by the next [`replace`](Self::replace).
+    pub(crate) fn push_vertex(&mut self, at: S::Site, size: f64, kind: Kind) -> u32 {
+        self.vertices.push(Vertex { at, size, anchor: NONE, goal: NONE, triangles: 0, kind });
         if self.is_recording {
             self.log.push(Change::NewVertex);
         }
         self.vertices.len() as u32 - 1
-    }
-
-    /// Replaces connected triangles by others that fill the same cavity.
-    ///
-    /// The caller has made sure that `added` has the rim of `removed`, and that no locked edge lies between removed
-    /// triangles ([`has_lock`](Self::has_lock)). New triangles get indices at the end.
-    pub(crate) fn replace(&mut self, removed: &[u32], added: &[[u32; 3]]) {
-        let mut rim = Vec::with_capacity(removed.len() + 2);
-        for t in removed {
-            let triangle = self.triangles[*t as usize];
-            for i in 0..3 {
-                let neighbour = triangle.neighbours[i];
-                if neighbour == NONE || !removed.contains(&neighbour) {
-                    rim.push(Rim {
-                        from: triangle.vertices[(i + 1) % 3],
-                        to: triangle.vertices[(i + 2) % 3],
-                        neighbour,
-                        is_locked: triangle.locked >> i & 1 == 1,
-                    });
-                }
-            }
-        }
-        for t in removed {
-            self.keep_triangle(*t);
-            for v in self.triangles[*t as usize].vertices {
-                self.keep_vertex(v);
-                let vertex = &mut self.vertices[v as usize];
-                vertex.triangles -= 1;
-                vertex.anchor = NONE;
-            }
-            self.triangles[*t as usize] =
-                Triangle { vertices: [NONE; 3], neighbours: [NONE; 3], locked: 0 };
-        }
-        let first = self.triangles.len() as u32;
-        for (t, vertices) in (first..).zip(added) {
-            let mut triangle = Triangle { vertices: *vertices, neighbours: [NONE; 3], locked: 0 };
-            for i in 0..3 {
-                let (from, to) = (vertices[(i + 1) % 3], vertices[(i + 2) % 3]);
-                if let Some(edge) = rim.iter().find(|edge| (edge.from, edge.to) == (from, to)) {
-                    triangle.neighbours[i] = edge.neighbour;
-                    triangle.locked |= u8::from(edge.is_locked) << i;
-                    if edge.neighbour != NONE {
-                        self.keep_triangle(edge.neighbour);
-                        let other = &mut self.triangles[edge.neighbour as usize];
-                        let corner = (0..3).find(|j| {
-                            (other.vertices[(j + 1) % 3], other.vertices[(j + 2) % 3]) == (to, from)
-                        });
-                        debug_assert!(corner.is_some());
-                        other.neighbours[corner.unwrap_or(0)] = t;
-                    }
-                } else {
-                    let opposite = added.iter().position(|other| {
-                        (0..3).any(|j| (other[(j + 1) % 3], other[(j + 2) % 3]) == (to, from))
-                    });
-                    debug_assert!(opposite.is_some(), "a new edge needs two triangles");
-                    triangle.neighbours[i] = opposite.map_or(NONE, |u| first + u as u32);
-                }
-            }
-            self.triangles.push(triangle);
-            if self.is_recording {
-                self.log.push(Change::NewTriangle);
-            }
-            for v in *vertices {
-                self.keep_vertex(v);
-                self.vertices[v as usize].anchor = t;
-                self.vertices[v as usize].triangles += 1;
-            }
-        }
-        // A vertex of the rim that lost its anchor has one again; others are gone.
-        #[cfg(debug_assertions)]
-        self.check_near(&rim.iter().map(|edge| edge.from).collect::<Vec<_>>());
-    }
-
-    /// True if a locked edge lies between two of the triangles.
-    pub(crate) fn has_lock(&self, triangles: &[u32]) -> bool {
-        triangles.iter().any(|t| {
-            let triangle = &self.triangles[*t as usize];
-            triangle.locked != 0
-                && (0..3).any(|i| {
-                    triangle.locked >> i & 1 == 1 && triangles.contains(&triangle.neighbours[i])
-                })
-        })
     }
 }
 
@@ -378,6 +326,7 @@ pub(crate) mod tests {
     use super::*;
     use crate::operations::{Cavity, operations};
     use crate::samples;
+    use glam::DVec2;
     use proptest::prelude::*;
 
     /// A square of 2 by 2 cells on each side, each cell cut in two, with a locked edge inside.
@@ -445,7 +394,7 @@ pub(crate) mod tests {
                     .map(|t| crate::triangle::doubled_area(mesh.corners(t)))
                     .sum();
                 prop_assert!((area - 50.0).abs() < 1e-9);
-                let locked = mesh.triangles.iter().filter(|t| t.is_alive() && t.locked != 0).count();
+                let locked = mesh.triangles.iter().filter(|t| t.is_alive() && (0..3).any(|i| t.is_locked(i))).count();
                 prop_assert_eq!(locked, 2);
             }
             mesh.undo(0);

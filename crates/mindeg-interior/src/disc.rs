@@ -1,6 +1,7 @@
 //! A small part of a mesh as a mesh of its own, whose rim stays.
 
 use crate::array_mesh::{ArrayMesh, Kind, NONE, Vertex};
+use crate::filling::Filling;
 use crate::goal::{Goal, Weights};
 use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};
@@ -56,7 +57,7 @@ impl Disc {
             if v >= self.names.len() {
                 let is_used = vertex.triangles > 0;
                 self.names.push(if is_used {
-                    whole.push_vertex(vertex.at, vertex.size)
+                    whole.push_vertex(vertex.at, vertex.size, vertex.kind)
                 } else {
                     NONE
                 });
@@ -66,11 +67,12 @@ impl Disc {
         }
         let name = |v: u32| self.names[v as usize];
         let alive = better.triangles.iter().filter(|t| t.is_alive());
-        let added: Vec<[u32; 3]> = alive.map(|t| t.vertices.map(name)).collect();
-        whole.replace(&self.triangles, &added);
+        let mut filling = Filling::default();
+        alive.for_each(|t| filling.push(t.vertices.map(name), ()));
+        whole.replace(&self.triangles, &filling);
         for [a, b] in better.locked_edges() {
             // The edge is there: it was in the disc's mesh.
-            let _ = whole.lock(name(a), name(b));
+            let _ = whole.lock(name(a), name(b), true);
         }
     }
 }
@@ -148,7 +150,7 @@ impl Growing {
         let mut locked = Vec::new();
         for t in &self.triangles {
             let triangle = &whole.triangles[*t as usize];
-            for i in (0..3).filter(|i| triangle.locked >> i & 1 == 1) {
+            for i in (0..3).filter(|i| triangle.is_locked(*i)) {
                 if triangle.neighbours[i] != NONE && self.is_in.contains(&triangle.neighbours[i]) {
                     locked.push([1, 2].map(|j| self.index[&triangle.vertices[(i + j) % 3]]));
                 }

@@ -2,8 +2,9 @@
 
 use crate::array_mesh::ArrayMesh;
 use crate::goal::{Goal, Weights};
+use crate::manifold::Manifold;
+use crate::space::Vector;
 use crate::triangle::{SQRT_3, distortion, doubled_area, min_angle};
-use glam::DVec2;
 
 /// How far below its limit a corner's angle may stay, as a share.
 const NEAR_LIMIT: f64 = 0.97;
@@ -19,7 +20,7 @@ pub(crate) struct Cost {
 
 impl Weights {
     /// The angle that a triangle should have: the floor, or less where its boundary vertices allow less.
-    pub(crate) fn wanted_angle(&self, mesh: &ArrayMesh, triangle: u32) -> f64 {
+    pub(crate) fn wanted_angle<S: Manifold>(&self, mesh: &ArrayMesh<S>, triangle: u32) -> f64 {
         let mut wanted = self.floor;
         for v in mesh.triangles[triangle as usize].vertices {
             if let Some(goal) = mesh.goals.get(mesh.vertices[v as usize].goal as usize) {
@@ -30,7 +31,7 @@ impl Weights {
     }
 
     /// The least limit at a triangle's vertices, in degrees; 60 at most.
-    pub(crate) fn local_limit(&self, mesh: &ArrayMesh, triangle: u32) -> f64 {
+    pub(crate) fn local_limit<S: Manifold>(&self, mesh: &ArrayMesh<S>, triangle: u32) -> f64 {
         let goal = |v: u32| mesh.goals.get(mesh.vertices[v as usize].goal as usize);
         let limits = mesh.triangles[triangle as usize]
             .vertices
@@ -40,10 +41,11 @@ impl Weights {
 
     /// The cost of a triangle: shape, size, and what its minimum angle lacks; with the angle, which is not
     /// told where shares count.
-    pub(crate) fn triangle(&self, mesh: &ArrayMesh, triangle: u32) -> (f64, f64) {
+    pub(crate) fn triangle<S: Manifold>(&self, mesh: &ArrayMesh<S>, triangle: u32) -> (f64, f64) {
         let corners = mesh.corners(triangle);
+        let bend = S::bend(mesh, triangle);
         if self.by_share {
-            return (self.share(corners, self.wanted_sine(mesh, triangle)), 0.0);
+            return (self.share(corners, self.wanted_sine(mesh, triangle)) + bend, 0.0);
         }
         let shape = distortion(corners);
         if !shape.is_finite() {
@@ -55,11 +57,11 @@ impl Weights {
         let angle = min_angle(corners);
         let lack = (self.wanted_angle(mesh, triangle) - angle).max(0.0) / 5.0;
         let squared = shape * shape;
-        (squared * squared - 1.0 + 0.3 * growth * growth + self.angle * lack * lack, angle)
+        (squared * squared - 1.0 + 0.3 * growth * growth + self.angle * lack * lack + bend, angle)
     }
 
     /// The sine of the angle that a triangle should have.
-    pub(crate) fn wanted_sine(&self, mesh: &ArrayMesh, triangle: u32) -> f64 {
+    pub(crate) fn wanted_sine<S: Manifold>(&self, mesh: &ArrayMesh<S>, triangle: u32) -> f64 {
         let mut wanted = self.floor_sine;
         for v in mesh.triangles[triangle as usize].vertices {
             if let Some(goal) = mesh.goals.get(mesh.vertices[v as usize].goal as usize) {
@@ -70,7 +72,7 @@ impl Weights {
     }
 
     /// The cost of a triangle whose minimum angle should have this sine: mostly by the share of it.
-    pub(crate) fn share(&self, corners @ [a, b, c]: [DVec2; 3], wanted: f64) -> f64 {
+    pub(crate) fn share<V: Vector>(&self, corners @ [a, b, c]: [V; 3], wanted: f64) -> f64 {
         let doubled = doubled_area(corners);
         if doubled <= 0.0 {
             return f64::INFINITY;
@@ -86,23 +88,24 @@ impl Weights {
     }
 
     /// The cost of a vertex's degree: all of it, and the part for a hard violation.
-    pub(crate) fn vertex(&self, mesh: &ArrayMesh, vertex: u32) -> (f64, f64) {
-        let v = &mesh.vertices[vertex as usize];
-        let hard = self.degree * f64::from(self.excess(mesh, vertex).pow(2));
-        let soft = match mesh.goals.get(v.goal as usize) {
-            Some(goal) => ((f64::from(v.triangles) - goal.ideal).abs() - 0.5).max(0.0),
-            None => f64::from(v.triangles) - 6.0,
-        };
+    pub(crate) fn vertex<S: Manifold>(&self, mesh: &ArrayMesh<S>, vertex: u32) -> (f64, f64) {
+        let (excess, soft) = S::degree(mesh, self, vertex);
+        let hard = self.degree * f64::from(excess.pow(2));
         (0.3 * soft * soft + hard, hard)
     }
 
     /// By how much a vertex's degree is out of its range.
-    pub(crate) fn excess(&self, mesh: &ArrayMesh, vertex: u32) -> u32 {
-        self.excess_of(mesh, vertex, mesh.vertices[vertex as usize].triangles)
+    pub(crate) fn excess<S: Manifold>(&self, mesh: &ArrayMesh<S>, vertex: u32) -> u32 {
+        S::degree(mesh, self, vertex).0
     }
 
-    /// The same if it had so many triangles.
-    pub(crate) fn excess_of(&self, mesh: &ArrayMesh, vertex: u32, triangles: u32) -> u32 {
+    /// The same of a vertex of which only the number of triangles counts, if it had so many.
+    pub(crate) fn excess_of<S: Manifold>(
+        &self,
+        mesh: &ArrayMesh<S>,
+        vertex: u32,
+        triangles: u32,
+    ) -> u32 {
         let goal = mesh.goals.get(mesh.vertices[vertex as usize].goal as usize);
         let (least, most) = match goal {
             Some(goal) => (goal.least, goal.triangles),

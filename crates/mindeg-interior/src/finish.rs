@@ -139,6 +139,7 @@ mod tests {
     use super::*;
     use crate::array_mesh::Kind;
     use crate::array_mesh::tests::grid;
+    use crate::filling::Filling;
     use mindeg_mesh::Progress;
 
     /// A grid whose boundary has goals.
@@ -166,7 +167,9 @@ mod tests {
         let cell = 2 * (4 * 8 + 4);
         let corner = (0..3).find(|i| mesh.triangles[cell].neighbours[*i] == cell as u32 + 1);
         let [a, b, c, d] = quad(&mesh, cell as u32, corner.unwrap()).unwrap();
-        mesh.replace(&[cell as u32, cell as u32 + 1], &[[c, a, d], [c, d, b]]);
+        let mut filling = Filling::default();
+        [[c, a, d], [c, d, b]].into_iter().for_each(|t| filling.push(t, ()));
+        mesh.replace(&[cell as u32, cell as u32 + 1], &filling);
         assert_eq!([a, b, c, d].map(|v| mesh.vertices[v as usize].triangles), [5, 5, 7, 7]);
         finish(&mut mesh, &Options::default(), 36.0, &mut stage()).unwrap();
         mesh.check().unwrap();

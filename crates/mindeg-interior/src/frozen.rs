@@ -31,7 +31,7 @@ impl ArrayMesh {
     pub(crate) fn locked_edges(&self) -> Vec<[u32; 2]> {
         let alive = self.triangles.iter().filter(|triangle| triangle.is_alive());
         alive
-            .flat_map(|t| (0..3).filter(|i| t.locked >> i & 1 == 1).map(move |i| (t, i)))
+            .flat_map(|t| (0..3).filter(|i| t.is_locked(*i)).map(move |i| (t, i)))
             .map(|(t, i)| [1, 2].map(|j| t.vertices[(i + j) % 3]))
             .collect()
     }

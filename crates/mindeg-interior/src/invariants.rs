@@ -3,19 +3,23 @@
 #[cfg(debug_assertions)]
 use crate::array_mesh::Kind;
 use crate::array_mesh::{ArrayMesh, NONE};
-use mindeg_mesh::planar::orientation;
+use crate::manifold::Manifold;
 
-impl ArrayMesh {
+impl<S: Manifold> ArrayMesh<S> {
     /// Checks the invariants round some vertices.
     #[cfg(debug_assertions)]
     pub(crate) fn check_near(&self, vertices: &[u32]) {
         let mut star = Vec::new();
         for v in vertices {
             let vertex = self.vertices[*v as usize];
+            // One on a curve goes with the triangles on its only side.
+            if vertex.kind == Kind::Curve && vertex.anchor == NONE {
+                continue;
+            }
             assert_ne!(vertex.anchor, NONE, "vertex {v} of the rim is dead");
             let is_closed = self.star(*v, &mut star);
             assert_eq!(star.len() as u32, vertex.triangles, "fan of vertex {v}");
-            assert_eq!(is_closed, vertex.kind != Kind::Boundary, "kind of vertex {v}");
+            assert!(!S::IS_PLANE || is_closed != (vertex.kind == Kind::Boundary), "kind of {v}");
             star.iter()
                 .for_each(|t| self.check_triangle(*t).unwrap_or_else(|e| unreachable!("{e}")));
         }
@@ -38,13 +42,13 @@ impl ArrayMesh {
 
     fn check_triangle(&self, t: u32) -> Result<(), String> {
         let triangle = self.triangles[t as usize];
-        let [a, b, c] = self.corners(t);
-        if orientation(a, b, c) <= 0.0 {
-            return Err(format!("triangle {t} is not counter-clockwise"));
-        }
+        S::check(self, t)?;
         for i in 0..3 {
             let neighbour = triangle.neighbours[i];
             if neighbour == NONE {
+                if !S::IS_PLANE && !triangle.is_locked(i) {
+                    return Err(format!("triangle {t} has a boundary edge on no curve"));
+                }
                 continue;
             }
             let other = self.triangles[neighbour as usize];
@@ -52,7 +56,7 @@ impl ArrayMesh {
             let knows = (0..3).any(|j| {
                 other.neighbours[j] == t
                     && (other.vertices[(j + 1) % 3], other.vertices[(j + 2) % 3]) == (to, from)
-                    && (other.locked >> j & 1) == (triangle.locked >> i & 1)
+                    && other.labels[j] == triangle.labels[i]
             });
             if !knows {
                 return Err(format!("triangles {t} and {neighbour} disagree"));

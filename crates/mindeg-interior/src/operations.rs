@@ -1,8 +1,9 @@
 //! Local changes of the mesh: each removes a few triangles and fills the hole anew.
 
-use crate::array_mesh::{ArrayMesh, Kind, NONE};
-use crate::triangle::is_proper;
-use glam::DVec2;
+use crate::array_mesh::{ArrayMesh, Kind, NONE, Triangle};
+use crate::filling::Filling;
+use crate::manifold::Manifold;
+use crate::space::{Plane, Vector};
 
 /// One change. Triangles and corners are those of the mesh before it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -11,43 +12,69 @@ pub(crate) enum Operation {
     Flip { triangle: u32, corner: u8 },
     /// Puts a vertex on the middle of that edge.
     Split { triangle: u32, corner: u8 },
-    /// Moves a free vertex onto a neighbour.
+    /// Moves a free vertex onto a neighbour, or one on a curve along that.
     Collapse { from: u32, to: u32 },
     /// Gives `count` consecutive triangles of a vertex, from the `first` of its star, to a new vertex.
     SplitVertex { vertex: u32, first: u8, count: u8 },
 }
 
 /// Room for an operation's triangles, used again and again.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Cavity {
+#[derive(Debug, Clone)]
+pub(crate) struct Cavity<S: Manifold = Plane> {
     pub(crate) removed: Vec<u32>,
-    pub(crate) added: Vec<[u32; 3]>,
+    pub(crate) added: Filling<S>,
     /// All vertices of both.
     pub(crate) vertices: Vec<u32>,
     star: Vec<u32>,
 }
 
+impl<S: Manifold> Default for Cavity<S> {
+    fn default() -> Self {
+        let (removed, vertices, star) = (Vec::new(), Vec::new(), Vec::new());
+        Self { removed, added: Filling::default(), vertices, star }
+    }
+}
+
+/// An edge a-b with the vertices opposite it, on its left and, if it has two triangles, on its right.
+#[derive(Debug, Clone, Copy)]
+struct Quad<S: Manifold> {
+    ends: [u32; 2],
+    left: u32,
+    right: Option<u32>,
+    patches: [S::Patch; 2],
+    label: S::Label,
+}
+
 /// Larger stars are not split: their operations would be too many.
 const LARGEST_STAR: usize = 40;
 
-impl Cavity {
+impl<S: Manifold> Cavity<S> {
     /// Finds the triangles that an operation removes; false if it is not possible.
-    pub(crate) fn open(&mut self, mesh: &ArrayMesh, operation: Operation) -> bool {
+    pub(crate) fn open(&mut self, mesh: &ArrayMesh<S>, operation: Operation) -> bool {
         self.removed.clear();
         self.vertices.clear();
+        let mut crosses_line = false;
         match operation {
             Operation::Flip { triangle, corner } | Operation::Split { triangle, corner } => {
+                let split = matches!(operation, Operation::Split { .. });
                 let across = mesh.triangles[triangle as usize].neighbours[corner as usize];
-                if across == NONE {
+                crosses_line = !S::IS_PLANE && split;
+                if across == NONE && !crosses_line {
                     return false;
                 }
-                self.removed.extend([triangle, across]);
+                self.removed.push(triangle);
+                self.removed.extend(Some(across).filter(|across| *across != NONE));
             }
-            Operation::Collapse { from, .. } => {
-                if mesh.vertices[from as usize].kind != Kind::Free {
+            Operation::Collapse { from, to } => {
+                crosses_line = match mesh.vertices[from as usize].kind {
+                    Kind::Free => false,
+                    Kind::Curve => true,
+                    Kind::Boundary | Kind::Fixed => return false,
+                };
+                mesh.star(from, &mut self.star);
+                if crosses_line && mesh.label(&self.star, from, to) == S::Label::default() {
                     return false;
                 }
-                mesh.star(from, &mut self.star);
                 self.removed.extend(&self.star);
             }
             Operation::SplitVertex { vertex, first, count } => {
@@ -68,30 +95,51 @@ impl Cavity {
                 }
             }
         }
-        !mesh.has_lock(&self.removed)
+        crosses_line || !mesh.has_lock(&self.removed)
     }
 
     /// Finds the triangles that the operation puts in place of those that [`open`](Self::open) has
     /// found; false if one would be inverted or flat. A new vertex is in the mesh from here on.
-    pub(crate) fn plan(&mut self, mesh: &mut ArrayMesh, operation: Operation) -> bool {
+    pub(crate) fn plan(&mut self, mesh: &mut ArrayMesh<S>, operation: Operation) -> bool {
         self.added.clear();
         match operation {
-            Operation::Flip { triangle, .. } => {
-                let [a, b, c, d] = self.quad(mesh, triangle);
-                self.added.extend([[c, a, d], [c, d, b]]);
+            Operation::Flip { triangle, corner } => {
+                let Quad { ends: [a, b], left: c, right, patches: [patch, _], .. } =
+                    self.quad(mesh, triangle, corner);
+                let Some(d) = right else { return false };
+                if !S::IS_PLANE && are_joined(mesh, c, d, &mut self.star) {
+                    return false;
+                }
+                self.added.push([c, a, d], patch);
+                self.added.push([c, d, b], patch);
             }
-            Operation::Split { triangle, .. } => {
-                let [a, b, c, d] = self.quad(mesh, triangle);
+            Operation::Split { triangle, corner } => {
+                let Quad { ends: [a, b], left: c, right, patches, label } =
+                    self.quad(mesh, triangle, corner);
                 let size = (mesh.vertices[a as usize].size + mesh.vertices[b as usize].size) / 2.0;
-                let m = mesh.push_vertex(mesh.at(a).midpoint(mesh.at(b)), size);
+                let Some(middle) = S::middle(mesh, [a, b], label, patches[0]) else { return false };
+                let is_on_line = label != S::Label::default();
+                let kind = if is_on_line { Kind::Curve } else { Kind::Free };
+                let m = mesh.push_vertex(middle, size, kind);
                 self.vertices.push(m);
-                self.added.extend([[c, a, m], [c, m, b], [d, b, m], [d, m, a]]);
+                self.added.push([c, a, m], patches[0]);
+                self.added.push([c, m, b], patches[0]);
+                if let Some(d) = right {
+                    self.added.push([d, b, m], patches[1]);
+                    self.added.push([d, m, a], patches[1]);
+                }
+                if is_on_line {
+                    self.added.labels.extend([([a, m], label), ([m, b], label)]);
+                }
             }
             Operation::Collapse { from, to } => {
+                if !S::IS_PLANE && !self.keeps_topology(mesh, from, to) {
+                    return false;
+                }
                 for t in &self.removed {
-                    let vertices = mesh.triangles[*t as usize].vertices;
+                    let Triangle { vertices, patch, .. } = mesh.triangles[*t as usize];
                     if !vertices.contains(&to) {
-                        self.added.push(vertices.map(|v| if v == from { to } else { v }));
+                        self.added.push(vertices.map(|v| if v == from { to } else { v }), patch);
                     }
                 }
             }
@@ -100,19 +148,68 @@ impl Cavity {
         self.is_proper(mesh)
     }
 
-    /// The edge a-b of the two removed triangles, with c on its left and d on its right.
-    fn quad(&self, mesh: &ArrayMesh, triangle: u32) -> [u32; 4] {
+    fn quad(&self, mesh: &ArrayMesh<S>, triangle: u32, corner: u8) -> Quad<S> {
         let left = mesh.triangles[triangle as usize];
-        let across = self.removed[1];
-        let corner = left.neighbours.iter().position(|n| *n == across).unwrap_or(0);
-        // Two triangles may share only one edge here: with two, their common vertex would have degree 2.
+        let corner = corner as usize;
         let [c, a, b] = [0, 1, 2].map(|i| left.vertices[(corner + i) % 3]);
-        let right = mesh.triangles[across as usize].vertices;
-        let d = right.into_iter().find(|v| *v != a && *v != b).unwrap_or(c);
-        [a, b, c, d]
+        let right = self.removed.get(1).map(|across| &mesh.triangles[*across as usize]);
+        let opposite = |t: &Triangle<S>| t.vertices.into_iter().find(|v| *v != a && *v != b);
+        Quad {
+            ends: [a, b],
+            left: c,
+            right: right.map(|t| opposite(t).unwrap_or(c)),
+            patches: [left.patch, right.map_or(left.patch, |t| t.patch)],
+            label: left.labels[corner],
+        }
     }
 
-    fn split_vertex(&mut self, mesh: &mut ArrayMesh, vertex: u32) -> bool {
+    /// True if a mesh in space stays a surface when a vertex moves onto another: they have no common neighbours but those
+    /// opposite their edge, which keep three triangles. Finds the new edge of a curve.
+    fn keeps_topology(&mut self, mesh: &ArrayMesh<S>, from: u32, to: u32) -> bool {
+        let mut opposite = Vec::new();
+        let mut link = Vec::new();
+        let mut curve = None;
+        for t in &self.removed {
+            let triangle = &mesh.triangles[*t as usize];
+            let corner = triangle.corner(from);
+            for i in [1, 2] {
+                let v = triangle.vertices[(corner + i) % 3];
+                // The edge from-v lies opposite the third vertex.
+                let label = triangle.labels[(corner + 3 - i) % 3];
+                if v != to && label != S::Label::default() {
+                    curve = Some((v, label));
+                }
+                link.push(v);
+            }
+            if triangle.vertices.contains(&to) {
+                opposite.extend(triangle.vertices.iter().filter(|v| ![from, to].contains(v)));
+            }
+        }
+        mesh.star(to, &mut self.star);
+        for t in &self.star {
+            let vertices = mesh.triangles[*t as usize].vertices;
+            let is_apart =
+                |v: &u32| *v == from || *v == to || !link.contains(v) || opposite.contains(v);
+            if !vertices.iter().all(is_apart) {
+                return false;
+            }
+        }
+        for v in &opposite {
+            let least = if mesh.star(*v, &mut self.star) { 4 } else { 2 };
+            if self.star.len() < least {
+                return false;
+            }
+        }
+        if let Some((v, label)) = curve {
+            if opposite.contains(&v) {
+                return false;
+            }
+            self.added.labels.push(([to, v], label));
+        }
+        true
+    }
+
+    fn split_vertex(&mut self, mesh: &mut ArrayMesh<S>, vertex: u32) -> bool {
         let center = mesh.at(vertex);
         let others = |t: u32| {
             let triangle = &mesh.triangles[t as usize];
@@ -121,18 +218,21 @@ impl Cavity {
         };
         let mut rim: Vec<u32> = self.removed.iter().map(|t| others(*t)[0]).collect();
         let Some(last) = self.removed.last() else { return false };
+        let patch = mesh.triangles[*last as usize].patch;
         rim.push(others(*last)[1]);
-        let offsets: Vec<DVec2> = rim.iter().map(|v| mesh.at(*v) - center).collect();
+        let offsets: Vec<S::Vector> = rim.iter().map(|v| mesh.at(*v) - center).collect();
         let shortest = offsets.iter().map(|o| o.length()).fold(f64::INFINITY, f64::min);
-        let direction: DVec2 = offsets.iter().map(|o| o.normalize_or_zero()).sum();
-        let direction = direction.normalize_or_zero();
+        let directions = offsets.iter().map(|o| o.normalize_or_zero());
+        let direction = directions.fold(S::Vector::ZERO, |a, b| a + b).normalize_or_zero();
         let size =
             rim.iter().map(|v| mesh.vertices[*v as usize].size).sum::<f64>() / rim.len() as f64;
         let fan: Vec<[u32; 2]> = rim.windows(2).map(|ends| [ends[0], ends[1]]).collect();
         let mut share = 0.5;
         let place = loop {
-            let place = center + direction * (share * shortest);
-            let is_fine = |a: u32, b: u32| is_proper([place, mesh.at(a), mesh.at(b)]);
+            let offset = direction * (share * shortest);
+            let Some(place) = S::beside(mesh, vertex, patch, offset) else { return false };
+            let site = |v: u32| &mesh.vertices[v as usize].at;
+            let is_fine = |a: u32, b: u32| mesh.space.is_proper([&place, site(a), site(b)]);
             let ends = [rim[0], rim[rim.len() - 1]];
             if fan.iter().all(|[a, b]| is_fine(*a, *b))
                 && is_fine(vertex, ends[0])
@@ -145,33 +245,41 @@ impl Cavity {
                 return false;
             }
         };
-        let new = mesh.push_vertex(place, size);
+        let new = mesh.push_vertex(place, size, Kind::Free);
         self.vertices.push(new);
-        self.added.extend(fan.into_iter().map(|[a, b]| [new, a, b]));
-        self.added.extend([[vertex, rim[0], new], [vertex, new, rim[rim.len() - 1]]]);
+        fan.into_iter().for_each(|[a, b]| self.added.push([new, a, b], patch));
+        self.added.push([vertex, rim[0], new], patch);
+        self.added.push([vertex, new, rim[rim.len() - 1]], patch);
         self.is_proper(mesh)
     }
 
-    fn is_proper(&self, mesh: &ArrayMesh) -> bool {
-        self.added.iter().all(|vertices| is_proper(vertices.map(|v| mesh.at(v))))
+    fn is_proper(&self, mesh: &ArrayMesh<S>) -> bool {
+        let site = |v: u32| &mesh.vertices[v as usize].at;
+        self.added.triangles.iter().all(|vertices| mesh.space.is_proper(vertices.map(site)))
     }
 
     /// By how many triangles `vertex` grows if the plan is carried out.
-    pub(crate) fn growth(&self, mesh: &ArrayMesh, vertex: u32) -> i32 {
-        let added = self.added.iter().filter(|t| t.contains(&vertex)).count();
+    pub(crate) fn growth(&self, mesh: &ArrayMesh<S>, vertex: u32) -> i32 {
+        let added = self.added.triangles.iter().filter(|t| t.contains(&vertex)).count();
         let at = |t: &&u32| mesh.triangles[**t as usize].vertices.contains(&vertex);
         added as i32 - self.removed.iter().filter(at).count() as i32
     }
 
     /// Carries out what [`plan`](Self::plan) has found.
-    pub(crate) fn carry_out(&self, mesh: &mut ArrayMesh) {
+    pub(crate) fn carry_out(&self, mesh: &mut ArrayMesh<S>) {
         mesh.replace(&self.removed, &self.added);
     }
 }
 
+/// True if an edge joins two vertices.
+fn are_joined<S: Manifold>(mesh: &ArrayMesh<S>, a: u32, b: u32, star: &mut Vec<u32>) -> bool {
+    mesh.star(a, star);
+    star.iter().any(|t| mesh.triangles[*t as usize].vertices.contains(&b))
+}
+
 /// All operations at a vertex and on the edges of its link, in a fixed order.
-pub(crate) fn operations(
-    mesh: &ArrayMesh,
+pub(crate) fn operations<S: Manifold>(
+    mesh: &ArrayMesh<S>,
     vertex: u32,
     with_splits: bool,
     out: &mut Vec<Operation>,
@@ -197,10 +305,10 @@ pub(crate) fn operations(
         let [next, last] = [1, 2].map(|i| triangle.vertices[(corner + i) % 3]);
         let is_last = !is_closed && triangle.neighbours[(corner + 1) % 3] == NONE;
         for other in [Some(next), is_last.then_some(last)].into_iter().flatten() {
-            if kind == Kind::Free {
+            if kind.is_movable() {
                 out.push(Operation::Collapse { from: vertex, to: other });
             }
-            if mesh.vertices[other as usize].kind == Kind::Free {
+            if mesh.vertices[other as usize].kind.is_movable() {
                 out.push(Operation::Collapse { from: other, to: vertex });
             }
         }

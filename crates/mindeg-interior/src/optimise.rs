@@ -1,9 +1,11 @@
 //! The optimiser: smoothing, single operations where something is wrong, then pairs of operations.
 
 use crate::array_mesh::ArrayMesh;
+use crate::compass::polish;
 use crate::goal::Weights;
+use crate::manifold::Manifold;
 use crate::operations::{Operation, operations};
-use crate::smooth::{Power, Sweeper, polish};
+use crate::smooth::{Power, Sweeper};
 use crate::stage::Stage;
 use crate::trial::Bench;
 use crate::triangle::{has_sine, min_angle};
@@ -14,6 +16,8 @@ use std::collections::VecDeque;
 const ROUNDS: usize = 4;
 /// Angles this much above the floor are polished, too, in degrees.
 const MARGIN: f64 = 4.0;
+/// The guard looks at so many operations.
+const GUARDED: usize = 5;
 /// Where an operation mends a degree, angles may fall to this share of the floor: they are mended later.
 const BROKEN_FLOOR: f64 = 0.4;
 
@@ -27,8 +31,8 @@ enum Need {
 }
 
 /// Improves a mesh in place. With `pairs`, what single operations leave is tried with two in a row.
-pub(crate) fn optimise(
-    mesh: &mut ArrayMesh,
+pub(crate) fn optimise<S: Manifold>(
+    mesh: &mut ArrayMesh<S>,
     weights: &Weights,
     mut pairs: Option<Pairs>,
     stage: &mut Stage<'_>,
@@ -39,11 +43,11 @@ pub(crate) fn optimise(
 }
 
 /// The same without moving the vertices of small angles.
-pub(crate) fn smooth_and_mend(
-    mesh: &mut ArrayMesh,
+pub(crate) fn smooth_and_mend<S: Manifold>(
+    mesh: &mut ArrayMesh<S>,
     weights: &Weights,
     mut pairs: Option<&mut Pairs>,
-    sweeper: &mut Sweeper,
+    sweeper: &mut Sweeper<S::Vector>,
     stage: &mut Stage<'_>,
 ) -> Result<(), Cancelled> {
     stage.reach(0.3)?;
@@ -68,7 +72,7 @@ pub(crate) fn smooth_and_mend(
 }
 
 /// The vertices where something is wrong, ascending.
-fn needy(mesh: &ArrayMesh, weights: &Weights, need: Need) -> VecDeque<u32> {
+fn needy<S: Manifold>(mesh: &ArrayMesh<S>, weights: &Weights, need: Need) -> VecDeque<u32> {
     let mut is_needy: Vec<bool> = (0..)
         .zip(&mesh.vertices)
         .map(|(v, vertex)| vertex.triangles > 0 && weights.excess(mesh, v) > 0)
@@ -84,14 +88,19 @@ fn needy(mesh: &ArrayMesh, weights: &Weights, need: Need) -> VecDeque<u32> {
 }
 
 /// True if a triangle's minimum angle is smaller than it should be.
-fn lacks(mesh: &ArrayMesh, weights: &Weights, triangle: u32) -> bool {
+fn lacks<S: Manifold>(mesh: &ArrayMesh<S>, weights: &Weights, triangle: u32) -> bool {
     let corners = mesh.corners(triangle);
     !has_sine(corners, weights.floor_sine)
         && min_angle(corners) < weights.wanted_angle(mesh, triangle) - 1e-3
 }
 
 /// True if something is wrong at a vertex.
-fn is_needy(bench: &mut Bench<'_>, vertex: u32, need: Need, star: &mut Vec<u32>) -> bool {
+fn is_needy<S: Manifold>(
+    bench: &mut Bench<'_, S>,
+    vertex: u32,
+    need: Need,
+    star: &mut Vec<u32>,
+) -> bool {
     if bench.mesh.vertices[vertex as usize].triangles == 0 {
         return false;
     }
@@ -106,8 +115,8 @@ fn is_needy(bench: &mut Bench<'_>, vertex: u32, need: Need, star: &mut Vec<u32>)
 }
 
 /// Works through all needy vertices with the best single operation of each. Returns the number of operations done.
-fn singles(
-    mesh: &mut ArrayMesh,
+fn singles<S: Manifold>(
+    mesh: &mut ArrayMesh<S>,
     weights: &Weights,
     need: Need,
     stage: &mut Stage<'_>,
@@ -148,31 +157,40 @@ fn singles(
 }
 
 /// The operation that lowers the energy most, within the guard.
-fn best_single(bench: &mut Bench<'_>, list: &[Operation], need: Need) -> Option<Operation> {
+fn best_single<S: Manifold>(
+    bench: &mut Bench<'_, S>,
+    list: &[Operation],
+    need: Need,
+) -> Option<Operation> {
     let floor = match need {
         Need::Any => bench.weights.floor,
         Need::Degree => BROKEN_FLOOR * bench.weights.floor,
     };
-    let mut best: Option<(f64, Operation)> = None;
+    let mut best: Vec<(f64, Operation)> = Vec::new();
     let allowance = match need {
         Need::Any if bench.weights.may_violate => f64::INFINITY,
         Need::Any => 0.0,
         Need::Degree => -0.5 * bench.weights.degree,
     };
+    // The guard is costly: it looks at the best alone, until one passes.
+    let most = if S::IS_PLANE { 1 } else { GUARDED };
     bench.mesh.record();
     for operation in list {
         let mark = bench.mesh.mark();
-        let needed = best.map_or(0.0, |(gain, _)| gain);
+        let needed = best.get(most - 1).map_or(0.0, |best| best.0);
         if let Some(effect) = bench.perform(*operation, allowance, needed)
             && effect.is_good(floor)
-            && best.is_none_or(|(gain, _)| effect.gain() > gain)
         {
-            best = Some((effect.gain(), *operation));
+            let at = best.partition_point(|best| best.0 >= effect.gain());
+            best.insert(at, (effect.gain(), *operation));
+            best.truncate(most);
         }
         bench.mesh.undo(mark);
     }
+    let found = best.iter().find(|best| S::IS_PLANE || bench.keeps(&[best.1]));
+    let found = found.map(|best| best.1);
     bench.mesh.commit();
-    best.map(|(_, operation)| operation)
+    found
 }
 
 /// How far the search for pairs goes.
@@ -194,8 +212,8 @@ impl Pairs {
 }
 
 /// The same with two operations in a row, the first of which may be worse.
-pub(crate) fn pairs_of_operations(
-    mesh: &mut ArrayMesh,
+pub(crate) fn pairs_of_operations<S: Manifold>(
+    mesh: &mut ArrayMesh<S>,
     weights: &Weights,
     pairs: &mut Pairs,
     stage: &mut Stage<'_>,
@@ -225,7 +243,11 @@ pub(crate) fn pairs_of_operations(
     Ok(done)
 }
 
-fn best_pair(bench: &mut Bench<'_>, vertex: u32, most: usize) -> Option<[Operation; 2]> {
+fn best_pair<S: Manifold>(
+    bench: &mut Bench<'_, S>,
+    vertex: u32,
+    most: usize,
+) -> Option<[Operation; 2]> {
     let mut firsts = Vec::new();
     operations(bench.mesh, vertex, true, &mut firsts);
     bench.mesh.record();
@@ -242,6 +264,7 @@ fn best_pair(bench: &mut Bench<'_>, vertex: u32, most: usize) -> Option<[Operati
     ranked.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     let floor = bench.weights.floor;
     let mut best: Option<(f64, [Operation; 2])> = None;
+    let mut good = Vec::new();
     let (mut star, mut seconds) = (Vec::new(), Vec::new());
     for (_, index) in ranked.into_iter().take(most) {
         let first = firsts[index];
@@ -271,7 +294,8 @@ fn best_pair(bench: &mut Bench<'_>, vertex: u32, most: usize) -> Option<[Operati
                         let is_good = gain > 1e-7 * (1.0 + energy)
                             && reached >= one.before.min_angle.min(floor);
                         if is_good && best.is_none_or(|(most, _)| gain > most) {
-                            best = Some((gain, [first, *second]));
+                            good.push((gain, [first, *second]));
+                            best = good.last().copied();
                         }
                     }
                     bench.mesh.undo(mark);
@@ -280,15 +304,18 @@ fn best_pair(bench: &mut Bench<'_>, vertex: u32, most: usize) -> Option<[Operati
         }
         bench.mesh.undo(mark);
     }
+    // The last is the best.
+    let found = good.iter().rev().take(GUARDED).find(|good| S::IS_PLANE || bench.keeps(&good.1));
+    let found = found.map(|good| good.1);
     bench.mesh.commit();
-    best.map(|(_, pair)| pair)
+    found
 }
 
 /// Moves the vertices of small angles until they rest.
-fn polish_all(
-    mesh: &mut ArrayMesh,
+fn polish_all<S: Manifold>(
+    mesh: &mut ArrayMesh<S>,
     weights: &Weights,
-    sweeper: &mut Sweeper,
+    sweeper: &mut Sweeper<S::Vector>,
     stage: &mut Stage<'_>,
 ) -> Result<(), Cancelled> {
     sweeper.start(mesh.vertices.len(), true);

@@ -1,9 +1,10 @@
-//! Moving free vertices: Newton's method on distortion, and a search along a compass for angles.
+//! Moving vertices by Newton's method on distortion.
 
-use crate::array_mesh::{ArrayMesh, Kind};
-use crate::goal::Weights;
+use crate::array_mesh::ArrayMesh;
+use crate::manifold::{Manifold, Slope};
+use crate::space::Vector;
 use crate::stage::Stage;
-use crate::triangle::{SQRT_3, cross, distortion, min_angle};
+use crate::triangle::{SQRT_3, distortion, min_angle};
 use glam::DVec2;
 use mindeg_mesh::Cancelled;
 
@@ -39,16 +40,23 @@ impl Power {
 }
 
 /// The two ring points of each triangle at a vertex, so that a move needs no look-ups.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Ring {
-    edges: Vec<[DVec2; 2]>,
-    triangles: Vec<u32>,
+#[derive(Debug, Clone)]
+pub(crate) struct Ring<V: Vector = DVec2> {
+    /// The other two corners of each triangle.
+    pub(crate) edges: Vec<[V; 2]>,
+    pub(crate) triangles: Vec<u32>,
     /// The sine of the angle that each triangle should have.
-    wanted: Vec<f64>,
+    pub(crate) wanted: Vec<f64>,
 }
 
-impl Ring {
-    fn load(&mut self, mesh: &ArrayMesh, vertex: u32) {
+impl<V: Vector> Default for Ring<V> {
+    fn default() -> Self {
+        Self { edges: Vec::new(), triangles: Vec::new(), wanted: Vec::new() }
+    }
+}
+
+impl<V: Vector> Ring<V> {
+    pub(crate) fn load<S: Manifold<Vector = V>>(&mut self, mesh: &ArrayMesh<S>, vertex: u32) {
         mesh.star(vertex, &mut self.triangles);
         self.edges.clear();
         for t in &self.triangles {
@@ -58,13 +66,18 @@ impl Ring {
         }
     }
 
-    fn distortion(&self, x: DVec2, power: Power) -> f64 {
+    pub(crate) fn distortion(&self, x: V, power: Power) -> f64 {
         self.edges.iter().map(|[b, c]| power.of(distortion([x, *b, *c]))).sum()
     }
 
-    fn min_angle(&self, x: DVec2) -> f64 {
+    pub(crate) fn min_angle(&self, x: V) -> f64 {
         let each = self.edges.iter().map(|[b, c]| min_angle([x, *b, *c]));
         each.fold(f64::INFINITY, f64::min)
+    }
+
+    /// The length of the shortest edge from the vertex to its ring.
+    pub(crate) fn reach(&self, x: V) -> f64 {
+        self.edges.iter().map(|[b, _]| (*b - x).length()).fold(f64::INFINITY, f64::min)
     }
 
     /// The triangles at the vertex loaded last.
@@ -75,28 +88,36 @@ impl Ring {
 
 /// One step of Newton's method on the sum of distortion^power over the triangles at a free vertex.
 /// The sum is convex where no triangle is inverted. Returns how far the vertex moved.
-pub(crate) fn smooth(mesh: &mut ArrayMesh, vertex: u32, power: Power, ring: &mut Ring) -> f64 {
+pub(crate) fn smooth<S: Manifold>(
+    mesh: &mut ArrayMesh<S>,
+    vertex: u32,
+    power: Power,
+    ring: &mut Ring<S::Vector>,
+) -> f64 {
     ring.load(mesh, vertex);
+    if S::is_on_line(mesh, vertex) {
+        return step_on_line(mesh, vertex, power, ring);
+    }
     step(mesh, vertex, power, ring, |_| true)
 }
 
 /// The same for the sum of distortions, if no triangle's minimum angle falls below `kept`, in degrees.
-pub(crate) fn round(
-    mesh: &mut ArrayMesh,
+pub(crate) fn round<S: Manifold>(
+    mesh: &mut ArrayMesh<S>,
     vertex: u32,
-    kept: impl Fn(&ArrayMesh, u32) -> f64,
-    ring: &mut Ring,
+    kept: impl Fn(&ArrayMesh<S>, u32) -> f64,
+    ring: &mut Ring<S::Vector>,
 ) -> f64 {
     ring.load(mesh, vertex);
     let x = mesh.at(vertex);
     // A hair more, so that rounding lowers nothing.
-    let least = |(t, [b, c]): (&u32, &[DVec2; 2])| {
+    let least = |(t, [b, c]): (&u32, &[S::Vector; 2])| {
         kept(mesh, *t).min(min_angle([x, *b, *c])) * (1.0 + 1e-12)
     };
     let mut wanted = std::mem::take(&mut ring.wanted);
     wanted.clear();
     wanted.extend(ring.triangles.iter().zip(&ring.edges).map(least));
-    let each = |ring: &Ring, place: DVec2| {
+    let each = |ring: &Ring<S::Vector>, place: S::Vector| {
         let mut all = ring.edges.iter().zip(&wanted);
         all.all(|([b, c], wanted)| min_angle([place, *b, *c]) >= *wanted)
     };
@@ -106,27 +127,22 @@ pub(crate) fn round(
 }
 
 /// A step for the vertex that the ring was loaded for, to a place that may be.
-fn step(
-    mesh: &mut ArrayMesh,
+fn step<S: Manifold>(
+    mesh: &mut ArrayMesh<S>,
     vertex: u32,
     power: Power,
-    ring: &Ring,
-    may_be: impl Fn(DVec2) -> bool,
+    ring: &Ring<S::Vector>,
+    may_be: impl Fn(S::Vector) -> bool,
 ) -> f64 {
-    debug_assert_eq!(mesh.vertices[vertex as usize].kind, Kind::Free);
-    let x = mesh.at(vertex);
+    debug_assert!(mesh.vertices[vertex as usize].kind.is_movable());
+    let (x, frame) = (mesh.at(vertex), S::frame(mesh, vertex));
     let (mut before, mut slope) = (0.0, DVec2::ZERO);
     let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
     let p = power.exponent();
     for [b, c] in &ring.edges {
         // distortion = s / (2 sqrt3 d): s the sum of squares, d the doubled area, linear in x.
-        let (u, v) = (*b - x, *c - x);
-        let d = cross(u, v);
-        if d <= 0.0 {
-            return 0.0;
-        }
-        let s = u.length_squared() + v.length_squared() + b.distance_squared(*c);
-        let (ds, dd) = (-2.0 * (u + v), DVec2::new(b.y - c.y, c.x - b.x));
+        let Some(slope_of) = S::slope(&frame, x, *b, *c) else { return 0.0 };
+        let Slope { squares: s, doubled: d, of_squares: ds, of_doubled: dd } = slope_of;
         let unit = 1.0 / (2.0 * SQRT_3 * d);
         let value = s * unit;
         let gradient = (ds - dd * (s / d)) * unit;
@@ -153,151 +169,72 @@ fn step(
     let step = DVec2::new(xy * slope.y - yy * slope.x, xy * slope.x - xx * slope.y) / determinant;
     let mut share = 1.0;
     for _ in 0..5 {
-        let place = x + step * share;
-        if place.is_finite() && ring.distortion(place, power) < before && may_be(place) {
-            mesh.move_to(vertex, place);
-            return step.length() * share;
+        let from = &mesh.vertices[vertex as usize].at;
+        if let Some(site) = S::moved(mesh, vertex, from, &frame, step * share) {
+            let place = S::position(&site);
+            if ring.distortion(place, power) < before
+                && may_be(place)
+                && S::may_move(mesh, vertex, &ring.triangles, &site)
+            {
+                mesh.move_to(vertex, site);
+                return step.length() * share;
+            }
         }
         share *= 0.4;
     }
     0.0
 }
 
-/// Eight directions.
-const COMPASS: [[f64; 2]; 8] = {
-    let diagonal = std::f64::consts::FRAC_1_SQRT_2;
-    [
-        [1.0, 0.0],
-        [0.0, 1.0],
-        [-1.0, 0.0],
-        [0.0, -1.0],
-        [diagonal, diagonal],
-        [-diagonal, diagonal],
-        [-diagonal, -diagonal],
-        [diagonal, -diagonal],
-    ]
-};
-
-/// Where a descent along a compass ends: each step goes to a place that `is_better` than all before, and steps get
-/// shorter where there is none, from `first` to `finest` times the shortest edge.
-fn descend(
-    ring: &Ring,
-    start: DVec2,
-    [first, finest]: [f64; 2],
-    mut is_better: impl FnMut(DVec2) -> bool,
-) -> DVec2 {
-    let reach = ring.edges.iter().map(|[b, _]| b.distance(start)).fold(f64::INFINITY, f64::min);
-    let mut x = start;
-    let mut step = first * reach;
-    while step > finest * reach {
-        let mut found = false;
-        for direction in COMPASS {
-            let place = x + DVec2::from(direction) * step;
-            if is_better(place) {
-                (x, found) = (place, true);
-            }
-        }
-        if !found {
-            step /= 2.0;
-        }
-    }
-    x
-}
-
-/// Moves a vertex. True if that changes its place.
-fn put(mesh: &mut ArrayMesh, vertex: u32, x: DVec2) -> bool {
-    let is_moved = x != mesh.at(vertex);
-    if is_moved {
-        mesh.move_to(vertex, x);
-    }
-    is_moved
-}
-
-/// Moves a free vertex along a compass to where small angles at it weigh less, without lowering
-/// the least. True if it moved.
-pub(crate) fn polish(mesh: &mut ArrayMesh, vertex: u32, below: f64, ring: &mut Ring) -> bool {
-    ring.load(mesh, vertex);
-    let start = mesh.at(vertex);
-    let mut least = ring.min_angle(start);
-    if least >= below {
-        return false;
-    }
-    let weight = |x: DVec2| {
-        let mut least = f64::INFINITY;
-        let mut sum = 0.0;
-        for [b, c] in &ring.edges {
-            let angle = min_angle([x, *b, *c]);
-            least = least.min(angle);
-            sum += libm::exp((20.0 - angle) / 1.5);
-        }
-        (sum, least)
-    };
-    let mut best = weight(start).0;
-    let x = descend(ring, start, [0.1, 2e-3], |place| {
-        let (sum, angle) = weight(place);
-        let is_better = sum < best * (1.0 - 1e-9) && angle >= least;
-        if is_better {
-            (best, least) = (sum, angle);
-        }
-        is_better
-    });
-    put(mesh, vertex, x)
-}
-
-/// Moves a free vertex along a compass to where what its triangles cost by their shares is least. `finest`: the
-/// last step as a share of the shortest edge. True if it moved.
-pub(crate) fn settle(
-    mesh: &mut ArrayMesh,
+/// The same along a line, by differences.
+fn step_on_line<S: Manifold>(
+    mesh: &mut ArrayMesh<S>,
     vertex: u32,
-    weights: &Weights,
-    finest: f64,
-    ring: &mut Ring,
-) -> bool {
-    ring.load(mesh, vertex);
-    let wanted = |t: &u32| weights.wanted_sine(mesh, *t);
-    ring.wanted.clear();
-    ring.wanted.extend(ring.triangles.iter().map(wanted));
-    // Sums that are greater already than what is known are not told to their end.
-    let cost = |x: DVec2, below: f64| {
-        let mut sum = 0.0;
-        for ([b, c], wanted) in ring.edges.iter().zip(&ring.wanted) {
-            sum += weights.share([x, *b, *c], *wanted);
-            if sum >= below {
-                return f64::INFINITY;
-            }
+    power: Power,
+    ring: &Ring<S::Vector>,
+) -> f64 {
+    let (x, frame) = (mesh.at(vertex), S::frame(mesh, vertex));
+    let reach = ring.reach(x);
+    let from = mesh.vertices[vertex as usize].at;
+    let site = |step: f64| S::moved(mesh, vertex, &from, &frame, DVec2::new(step, 0.0));
+    let value = |site: &S::Site| ring.distortion(S::position(site), power);
+    let h = 1e-3 * reach;
+    let (Some(left), Some(right)) = (site(-h), site(h)) else { return 0.0 };
+    let [low, before, high] = [value(&left), value(&from), value(&right)];
+    let slope = (high - low) / (2.0 * h);
+    let curve = (high - 2.0 * before + low) / (h * h);
+    let newton = if curve > 0.0 { -slope / curve } else { -slope.signum() * 0.1 * reach };
+    let mut step = newton.clamp(-0.4 * reach, 0.4 * reach);
+    for _ in 0..4 {
+        if let Some(site) = site(step)
+            && value(&site) < before
+            && S::may_move(mesh, vertex, &ring.triangles, &site)
+        {
+            mesh.move_to(vertex, site);
+            return step.abs();
         }
-        sum
-    };
-    let start = mesh.at(vertex);
-    let mut best = cost(start, f64::INFINITY);
-    let x = descend(ring, start, [0.16, finest], |place| {
-        let sum = cost(place, best * (1.0 - 1e-9));
-        if sum.is_finite() {
-            best = sum;
-        }
-        sum.is_finite()
-    });
-    put(mesh, vertex, x)
+        step *= 0.4;
+    }
+    0.0
 }
 
 /// Smooths all free vertices, those that stopped moving less often.
-pub(crate) struct Sweeper {
+pub(crate) struct Sweeper<V: Vector = DVec2> {
     is_active: Vec<bool>,
-    pub(crate) ring: Ring,
+    pub(crate) ring: Ring<V>,
 }
 
 /// Below this share of the size, a move does not count.
 const STILL: f64 = 3e-3;
 
-impl Sweeper {
+impl<V: Vector> Sweeper<V> {
     pub(crate) fn new() -> Self {
         Self { is_active: Vec::new(), ring: Ring::default() }
     }
 
     /// `sweeps` sweeps over all vertices.
-    pub(crate) fn run(
+    pub(crate) fn run<S: Manifold<Vector = V>>(
         &mut self,
-        mesh: &mut ArrayMesh,
+        mesh: &mut ArrayMesh<S>,
         power: Power,
         sweeps: usize,
         stage: &mut Stage<'_>,
@@ -318,25 +255,29 @@ impl Sweeper {
     }
 
     /// `sweeps` sweeps with moves that tell how far they went.
-    pub(crate) fn sweep(
+    pub(crate) fn sweep<S: Manifold<Vector = V>>(
         &mut self,
-        mesh: &mut ArrayMesh,
+        mesh: &mut ArrayMesh<S>,
         sweeps: usize,
         stage: &mut Stage<'_>,
-        mut go: impl FnMut(&mut ArrayMesh, u32, &mut Ring) -> f64,
+        mut go: impl FnMut(&mut ArrayMesh<S>, u32, &mut Ring<V>) -> f64,
     ) -> Result<(), Cancelled> {
         for _ in 0..sweeps {
             stage.still()?;
             let mut moved = false;
             for v in 0..mesh.vertices.len() as u32 {
                 let vertex = &mesh.vertices[v as usize];
-                if vertex.kind != Kind::Free || vertex.triangles == 0 || !self.is_active[v as usize]
-                {
+                let is_waiting = self.is_active[v as usize];
+                if !vertex.kind.is_movable() || vertex.triangles == 0 || !is_waiting {
                     continue;
                 }
                 self.is_active[v as usize] = false;
-                let size = vertex.size;
-                if go(mesh, v, &mut self.ring) > STILL * size {
+                let (size, before) = (vertex.size, vertex.at);
+                let survey = S::survey(mesh, &[v], true);
+                let distance = go(mesh, v, &mut self.ring);
+                if survey.is_some_and(|survey| distance > 0.0 && !S::keeps(mesh, &survey, &[v])) {
+                    mesh.move_to(v, before);
+                } else if distance > STILL * size {
                     moved = true;
                     for t in self.ring.triangles() {
                         let vertices = mesh.triangles[*t as usize].vertices;
@@ -355,7 +296,8 @@ impl Sweeper {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::array_mesh::{NONE, Vertex};
+    use crate::array_mesh::{Kind, NONE, Vertex};
+    use crate::compass::polish;
     use mindeg_mesh::Progress;
 
     /// A free vertex, the last one, in a ring of others.

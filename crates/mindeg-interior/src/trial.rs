@@ -1,17 +1,20 @@
 //! Trying an operation: do it, smooth round it, compare costs, and take it back or keep it.
 
-use crate::array_mesh::{ArrayMesh, Kind};
+use crate::array_mesh::ArrayMesh;
+use crate::compass::settle;
 use crate::energy::Cost;
 use crate::goal::Weights;
+use crate::manifold::Manifold;
 use crate::operations::{Cavity, Operation};
-use crate::smooth::{Power, Ring, settle, smooth};
+use crate::smooth::{Power, Ring, smooth};
+use crate::space::Plane;
 
 /// The mesh under work, with what trials need again and again.
-pub(crate) struct Bench<'a> {
-    pub(crate) mesh: &'a mut ArrayMesh,
+pub(crate) struct Bench<'a, S: Manifold = Plane> {
+    pub(crate) mesh: &'a mut ArrayMesh<S>,
     pub(crate) weights: Weights,
-    pub(crate) cavity: Cavity,
-    ring: Ring,
+    pub(crate) cavity: Cavity<S>,
+    ring: Ring<S::Vector>,
     star: Vec<u32>,
     patch: Vec<u32>,
     /// When a triangle was last put into a patch.
@@ -39,8 +42,8 @@ impl Effect {
     }
 }
 
-impl<'a> Bench<'a> {
-    pub(crate) fn new(mesh: &'a mut ArrayMesh, weights: Weights) -> Self {
+impl<'a, S: Manifold> Bench<'a, S> {
+    pub(crate) fn new(mesh: &'a mut ArrayMesh<S>, weights: Weights) -> Self {
         let seen = vec![0; mesh.triangles.len()];
         Self {
             mesh,
@@ -76,7 +79,7 @@ impl<'a> Bench<'a> {
             let (all, hard) = self.weights.vertex(self.mesh, *v);
             cost.energy += all;
             cost.hard += hard;
-            if vertex.kind == Kind::Free {
+            if vertex.kind.is_movable() {
                 self.mesh.star(*v, &mut self.star);
                 for t in &self.star {
                     put(&mut self.patch, &mut self.seen, self.round, *t);
@@ -108,7 +111,7 @@ impl<'a> Bench<'a> {
 
     fn perform_in(
         &mut self,
-        cavity: &mut Cavity,
+        cavity: &mut Cavity<S>,
         operation: Operation,
         allowance: f64,
         needed: f64,
@@ -117,22 +120,34 @@ impl<'a> Bench<'a> {
         if !cavity.open(self.mesh, operation) || !cavity.plan(self.mesh, operation) {
             return None;
         }
-        let change = self.hard_change(cavity);
-        if change > allowance {
+        let is_counted = cavity.vertices.iter().all(|v| S::counts_triangles(self.mesh, *v));
+        let known = if is_counted { Some(self.hard_change(cavity)) } else { None };
+        if known.is_some_and(|change| change > allowance) {
             return None;
         }
         let before = self.cost(&cavity.vertices, cavity.removed.iter().copied());
+        let is_vain = |change: f64| before.energy - before.hard - change < needed;
         // Nothing but violations is left at best.
-        if before.energy - before.hard - change < needed {
+        if known.is_some_and(is_vain) {
             return None;
         }
         let first = self.mesh.triangles.len() as u32;
         cavity.carry_out(self.mesh);
+        if known.is_none() {
+            let hard = |v: &u32| match self.mesh.vertices[*v as usize].triangles {
+                0 => 0.0,
+                _ => self.weights.vertex(self.mesh, *v).1,
+            };
+            let change = cavity.vertices.iter().map(hard).sum::<f64>() - before.hard;
+            if change > allowance || is_vain(change) {
+                return None;
+            }
+        }
         let added = first..self.mesh.triangles.len() as u32;
         for _ in 0..SWEEPS {
             for v in &cavity.vertices {
                 let vertex = &self.mesh.vertices[*v as usize];
-                if vertex.kind == Kind::Free && vertex.triangles > 0 {
+                if vertex.kind.is_movable() && vertex.triangles > 0 {
                     smooth(self.mesh, *v, Power::Four, &mut self.ring);
                 }
             }
@@ -146,7 +161,7 @@ impl<'a> Bench<'a> {
             }
             for v in &cavity.vertices {
                 let vertex = &self.mesh.vertices[*v as usize];
-                if vertex.kind == Kind::Free && vertex.triangles > 0 {
+                if vertex.kind.is_movable() && vertex.triangles > 0 {
                     settle(self.mesh, *v, &self.weights, 0.03, &mut self.ring);
                 }
             }
@@ -155,8 +170,24 @@ impl<'a> Bench<'a> {
         Some(Effect { before, after })
     }
 
+    /// True if operations in a row keep what the space wants to be kept. The mesh is as before.
+    pub(crate) fn keeps(&mut self, operations: &[Operation]) -> bool {
+        let mark = self.mesh.mark();
+        let is_kept = operations.iter().all(|operation| {
+            if !self.cavity.open(self.mesh, *operation) {
+                return false;
+            }
+            let survey = S::survey(self.mesh, &self.cavity.vertices, false);
+            let effect = self.perform(*operation, f64::INFINITY, f64::NEG_INFINITY);
+            let keeps = |survey| S::keeps(self.mesh, &survey, &self.cavity.vertices);
+            effect.is_some() && survey.is_none_or(keeps)
+        });
+        self.mesh.undo(mark);
+        is_kept
+    }
+
     /// The change of the cost of hard degree violations.
-    fn hard_change(&self, cavity: &Cavity) -> f64 {
+    fn hard_change(&self, cavity: &Cavity<S>) -> f64 {
         let mut change = 0.0;
         for v in &cavity.vertices {
             let before = self.mesh.vertices[*v as usize].triangles;
@@ -187,6 +218,7 @@ fn put(patch: &mut Vec<u32>, seen: &mut [u32], round: u32, triangle: u32) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::array_mesh::Kind;
     use crate::array_mesh::tests::grid;
     use crate::operations::operations;
     use crate::options::Options;

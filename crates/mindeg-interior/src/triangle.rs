@@ -1,5 +1,6 @@
 //! Measures of one triangle.
 
+use crate::space::Vector;
 use glam::DVec2;
 use std::f64::consts::PI;
 
@@ -9,19 +10,19 @@ pub(crate) fn cross(a: DVec2, b: DVec2) -> f64 {
 }
 
 /// Twice the signed area.
-pub(crate) fn doubled_area([a, b, c]: [DVec2; 3]) -> f64 {
-    cross(b - a, c - a)
+pub(crate) fn doubled_area<V: Vector>([a, b, c]: [V; 3]) -> f64 {
+    (b - a).doubled(c - a)
 }
 
 /// The longest edge, squared.
-pub(crate) fn longest_squared([a, b, c]: [DVec2; 3]) -> f64 {
+pub(crate) fn longest_squared<V: Vector>([a, b, c]: [V; 3]) -> f64 {
     a.distance_squared(b).max(b.distance_squared(c)).max(c.distance_squared(a))
 }
 
 /// The minimum angle in degrees: the angle opposite the shortest edge. 0 or below if inverted.
-pub(crate) fn min_angle([a, b, c]: [DVec2; 3]) -> f64 {
+pub(crate) fn min_angle<V: Vector>([a, b, c]: [V; 3]) -> f64 {
     let (ab, bc, ca) = (a.distance_squared(b), b.distance_squared(c), c.distance_squared(a));
-    let doubled = cross(b - a, c - a);
+    let doubled = (b - a).doubled(c - a);
     // 2 u.v = |u|^2 + |v|^2 - |u - v|^2 would cancel; the dot product does not.
     let dot = if ab <= bc && ab <= ca {
         (a - c).dot(b - c)
@@ -34,7 +35,7 @@ pub(crate) fn min_angle([a, b, c]: [DVec2; 3]) -> f64 {
 }
 
 /// True if the minimum angle's sine is at least this, by the edges' lengths alone: no trigonometry.
-pub(crate) fn has_sine(corners @ [a, b, c]: [DVec2; 3], sine: f64) -> bool {
+pub(crate) fn has_sine<V: Vector>(corners @ [a, b, c]: [V; 3], sine: f64) -> bool {
     let squares = [a.distance_squared(b), b.distance_squared(c), c.distance_squared(a)];
     let least = squares[0].min(squares[1]).min(squares[2]);
     let doubled = doubled_area(corners);
@@ -43,9 +44,9 @@ pub(crate) fn has_sine(corners @ [a, b, c]: [DVec2; 3], sine: f64) -> bool {
 }
 
 /// The maximum angle in degrees: the angle opposite the longest edge.
-pub(crate) fn max_angle([a, b, c]: [DVec2; 3]) -> f64 {
+pub(crate) fn max_angle<V: Vector>([a, b, c]: [V; 3]) -> f64 {
     let (ab, bc, ca) = (a.distance_squared(b), b.distance_squared(c), c.distance_squared(a));
-    let doubled = cross(b - a, c - a);
+    let doubled = (b - a).doubled(c - a);
     let dot = if ab >= bc && ab >= ca {
         (a - c).dot(b - c)
     } else if bc >= ca {
@@ -58,13 +59,13 @@ pub(crate) fn max_angle([a, b, c]: [DVec2; 3]) -> f64 {
 
 /// True if the triangle is counter-clockwise and not flat: three rounded points of one
 /// straight side never pass.
-pub(crate) fn is_proper(corners: [DVec2; 3]) -> bool {
+pub(crate) fn is_proper<V: Vector>(corners: [V; 3]) -> bool {
     doubled_area(corners) > 2e-9 * longest_squared(corners)
 }
 
 /// How far a triangle is from equilateral: the sum of its squared edges over 4 sqrt(3) times its
 /// area. 1 at best, infinite without area.
-pub(crate) fn distortion(corners @ [a, b, c]: [DVec2; 3]) -> f64 {
+pub(crate) fn distortion<V: Vector>(corners @ [a, b, c]: [V; 3]) -> f64 {
     let doubled = doubled_area(corners);
     if doubled <= 0.0 {
         return f64::INFINITY;
