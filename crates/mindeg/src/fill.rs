@@ -14,7 +14,7 @@
 mod joint;
 mod posed;
 
-use self::joint::Shares;
+use self::joint::{Share, Shares};
 use self::posed::posed;
 use crate::error::MeshError;
 use crate::loops::{Loops, MeshLoop};
@@ -188,8 +188,8 @@ fn fill_with(
     for level in levels(&tasks, all) {
         let solved = map_all(level.clone(), |index| {
             let solved = match shares.get(&index) {
-                Some(share) => joint::solve(&mesh, &all[index], &loops, share, inner),
-                None => posed(&mesh, &all[index], &loops, None)
+                Some(share) => joint::solve(&mesh, &all[index], &loops, share, limit, inner),
+                None => posed(&mesh, &all[index], &loops, None, &[])
                     .and_then(|problem| fill_loop(&problem, limit, inner)),
             };
             counter.add(usize::from(tasks.len() > 1))?;
@@ -205,16 +205,28 @@ fn fill_with(
                     loops.add(&own);
                     solutions.insert(index, (solved, own));
                 }
+                // The loops before it may have taken the edge, or more than they need.
+                Err(Unsolved::Excluded)
+                    if !shares.contains_key(&index)
+                        && joint::share(&mesh, before, &tasks, index, None, shares, inner)? =>
+                {
+                    return fill_with(mesh, before, options, shares, progress);
+                }
                 Err(Unsolved::Excluded) => {
                     let (vertices, reason) = (vertices.len(), EDGES_THERE.to_owned());
                     left.push(LeftLoop { index, vertices, reason });
                 }
                 Err(Unsolved::Cancelled(cancelled)) => return Err(cancelled.into()),
-                // The loops before it may have taken more than they need.
                 Err(Unsolved::Infeasible { max_degree, .. })
-                    if !shares.contains_key(&index)
+                    if !shares.get(&index).is_some_and(Share::is_limited)
                         && joint::share(
-                            &mesh, before, &tasks, index, max_degree, shares, inner,
+                            &mesh,
+                            before,
+                            &tasks,
+                            index,
+                            Some(max_degree),
+                            shares,
+                            inner,
                         )? =>
                 {
                     return fill_with(mesh, before, options, shares, progress);

@@ -194,6 +194,131 @@ fn loops_that_share_a_vertex_are_decided_together() {
     assert!(kept > 10 && refused > 10, "{kept} {refused}");
 }
 
+/// All triangulations of a loop, each by its chords.
+fn all_triangulations(corners: &[u32]) -> Vec<Vec<[u32; 2]>> {
+    let last = corners.len() - 1;
+    if last < 2 {
+        return vec![Vec::new()];
+    }
+    let mut found = Vec::new();
+    // The tip of the triangle on the edge from the first corner to the last.
+    for tip in 1..last {
+        let [left, right] = [&corners[..=tip], &corners[tip..]].map(all_triangulations);
+        for (left, right) in left.iter().flat_map(|left| right.iter().map(move |it| (left, it))) {
+            let mut chords = [&left[..], &right[..]].concat();
+            let sides = [[0, tip], [tip, last]].into_iter().filter(|[a, b]| b - a > 1);
+            chords.extend(
+                sides.map(|[a, b]| [corners[a].min(corners[b]), corners[a].max(corners[b])]),
+            );
+            found.push(chords);
+        }
+    }
+    found
+}
+
+/// Two rings of triangles whose inner loops, of 4 or 6 vertices, have two opposite vertices in common; all pairs
+/// of triangulations are tried.
+#[test]
+fn loops_that_share_two_vertices_are_decided_together() {
+    let mut random = mindeg_mesh::Random::new(1);
+    let (mut kept, mut refused, mut open, mut wanted_twice) = (0, 0, 0, 0);
+    for _ in 0..1500 {
+        let half = 2 + random.below(2) as u32;
+        let count = 2 * half;
+        let mut points: Vec<DVec3> = Vec::new();
+        let mut triangles = Vec::new();
+        let mut inner = Vec::new();
+        for ring in 0..2 {
+            let first = points.len() as u32;
+            let new = |i: u32| if ring == 1 && i % half == 0 { i } else { first + i };
+            let own: Vec<u32> = (0..count).map(new).collect();
+            points.extend((0..2 * count).map(|i| {
+                let [x, y, z] = [(); 3].map(|()| random.unit());
+                DVec3::new(x + f64::from(i % count), y, z + f64::from(ring))
+            }));
+            let outer = |i: u32| first + count + i % count;
+            for i in 0..count {
+                let [a, b] = [own[i as usize], own[(i as usize + 1) % own.len()]];
+                triangles.extend([[a, b, outer(i)], [b, outer(i + 1), outer(i)]]);
+            }
+            inner.push(own);
+        }
+        // Single triangles elsewhere have an edge that a filling may want.
+        for _ in 0..random.below(4) {
+            let corners = &inner[random.below(2)];
+            let [a, b] = [random.below(corners.len()), random.below(corners.len())];
+            if ![0, 1, corners.len() - 1].contains(&a.abs_diff(b)) {
+                let tip = points.len() as u32;
+                points.push(DVec3::new(random.unit(), random.unit(), 9.0));
+                triangles.push([corners[a], corners[b], tip]);
+            }
+        }
+        let Ok(mesh) = TriMesh::new(points, triangles) else { continue };
+        let loops = Loops::of(&mesh);
+        let is_inner = |corners: &[u32]| {
+            inner
+                .iter()
+                .any(|own| corners.len() == own.len() && corners.iter().all(|v| own.contains(v)))
+        };
+        let only: Vec<usize> = (0..loops.list().len())
+            .filter(|&at| is_inner(&loops.list()[at].vertices) && loops.list()[at].defect.is_none())
+            .collect();
+        if only.len() != 2 {
+            continue;
+        }
+        let limit = 6 + random.below(4) as u32;
+        let edges: std::collections::BTreeSet<[u32; 2]> = mesh
+            .triangles()
+            .iter()
+            .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]])
+            .map(|[a, b]| [a.min(b), a.max(b)])
+            .collect();
+        let each = |at: usize| all_triangulations(&loops.list()[only[at]].vertices);
+        let is_new = |chords: &[[u32; 2]]| chords.iter().all(|chord| !edges.contains(chord));
+        let (mut possible, mut under_limit) = (false, false);
+        for one in each(0).iter().filter(|chords| is_new(chords)) {
+            for other in each(1).iter().filter(|chords| is_new(chords)) {
+                if one.iter().any(|chord| other.contains(chord)) {
+                    wanted_twice += 1;
+                    continue;
+                }
+                possible = true;
+                let mut degrees = mesh.degrees().to_vec();
+                one.iter().chain(other).flatten().for_each(|&end| degrees[end as usize] += 1);
+                let mut all = degrees.iter().zip(mesh.degrees());
+                under_limit |= all.all(|(new, old)| new <= old.max(&limit));
+            }
+        }
+        let options =
+            FillOptions { max_degree: Some(limit), only: Some(only), ..FillOptions::default() };
+        match fill(mesh.clone(), &loops, &options, Progress::NONE) {
+            Ok(closed) if closed.left.is_empty() => {
+                kept += 1;
+                assert!(under_limit);
+                let degrees = closed.mesh.degrees().iter().zip(mesh.degrees());
+                assert!(degrees.into_iter().all(|(new, old)| new <= old.max(&limit)));
+                assert!(
+                    inspected(&closed.mesh).non_manifold_edges.len()
+                        <= inspected(&mesh).non_manifold_edges.len()
+                );
+            }
+            Ok(closed) => {
+                open += 1;
+                assert!(!possible, "{:?}", closed.left);
+            }
+            Err(error) => {
+                refused += 1;
+                assert!(!under_limit, "{error}");
+            }
+        }
+        let without = FillOptions { max_degree: None, ..options };
+        let closed = fill(mesh, &loops, &without, Progress::NONE).unwrap();
+        assert_eq!(closed.left.is_empty(), possible, "{:?}", closed.left);
+    }
+    let counts = [kept, refused, open, wanted_twice];
+    assert!(counts.iter().all(|&count| count > 10), "{counts:?}");
+}
+
 #[test]
 fn what_is_no_sound_loop_stays_open() {
     let points = || vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z, -DVec3::ONE];

@@ -4,7 +4,8 @@
 //! decided by the rows of [`Cover`], where the row of a vertex counts the chords of all loops. The mesh that is found
 //! gives each loop its share at the shared vertices; within it every loop has its least area.
 //!
-//! Limits: loops that share two vertices or more, of which both might make the same edge, are not decided together.
+//! Loops that share two vertices or more may both want the edge between them, which only one may make: then the search
+//! branches on the loop that goes without it.
 
 use super::posed::posed;
 use crate::error::MeshError;
@@ -15,10 +16,30 @@ use mindeg_exact::{
 use mindeg_mesh::{Progress, TriMesh};
 use std::collections::BTreeMap;
 
-/// For the index of a loop the limit, and the degrees that count at its vertices, backward: those that leave its share.
-pub(super) type Shares = BTreeMap<usize, (u32, Vec<u32>)>;
+/// The shares of loops, by their indices.
+pub(super) type Shares = BTreeMap<usize, Share>;
+
+/// What a loop may take of all that it has in common with others.
+#[derive(Debug, Clone)]
+pub(super) struct Share {
+    /// The limit, if one is given, and the degrees that count at the loop's vertices, backward: those that leave its part.
+    degrees: Option<(u32, Vec<u32>)>,
+    /// The edges that other loops make.
+    without: Vec<[u32; 2]>,
+}
+
+impl Share {
+    /// True if it was decided under a limit.
+    pub(super) fn is_limited(&self) -> bool {
+        self.degrees.is_some()
+    }
+}
+
+/// More branches than this are not tried.
+const MOST_BRANCHES: usize = 64;
 
 /// Decides about the loops that are joined with this one by shared vertices, and keeps their shares; whether it did.
+/// Without a limit only edges that two loops want are decided about.
 ///
 /// # Errors
 ///
@@ -28,13 +49,13 @@ pub(super) fn share(
     loops: &Loops,
     tasks: &[usize],
     index: usize,
-    limit: u32,
+    limit: Option<u32>,
     shares: &mut Shares,
     progress: Progress<'_>,
 ) -> Result<bool, MeshError> {
     let all = loops.list();
     let joined = joined(tasks, all, index);
-    if joined.len() < 2 || share_edges(&joined, all) {
+    if joined.len() < 2 {
         return Ok(false);
     }
     let mut vertices: Vec<u32> =
@@ -44,39 +65,68 @@ pub(super) fn share(
     let place = |vertex: &u32| vertices.binary_search(vertex).map_or(0, |at| at as u32);
     let places: Vec<Vec<u32>> =
         joined.iter().map(|&found| all[found].vertices.iter().rev().map(place).collect()).collect();
-    let problems = joined.iter().map(|&found| posed(mesh, &all[found], loops, None));
-    let problems = problems.collect::<Result<Vec<LoopProblem>, Unsolved>>()?;
-    let faces: Vec<_> = problems.iter().zip(&places).map(|(it, own)| (it, &own[..])).collect();
-    let Some(cover) = Cover::of_loops(&faces) else { return Ok(false) };
-    let left = |vertex: &u32| limit.saturating_sub(loops.degrees[*vertex as usize]);
+    let left = |vertex: &u32| {
+        limit.map_or(vertices.len() as u32, |it| it.saturating_sub(loops.degrees[*vertex as usize]))
+    };
     let most: Vec<u32> = vertices.iter().map(left).collect();
     let tangents = vec![0.0; joined.len()];
-    match cover.decide(&most, &tangents, &[], COVER_STEPS, progress)? {
-        Decision::Unknown => Ok(false),
-        Decision::Refuted(refutation) => {
+    // Each branch: edges that a loop goes without, by its position among those that are joined.
+    let mut branches: Vec<Vec<(usize, [u32; 2])>> = vec![Vec::new()];
+    let mut clauses = 0;
+    for _ in 0..MOST_BRANCHES {
+        let Some(branch) = branches.pop() else {
+            let Some(limit) = limit else { return Ok(false) };
             let numbers: Vec<String> = joined.iter().map(|found| (found + 1).to_string()).collect();
-            let (clauses, numbers) = (refutation.clauses.len(), numbers.join(", "));
-            Err(MeshError::Refused(format!(
+            let numbers = numbers.join(", ");
+            return Err(MeshError::Refused(format!(
                 "loops {numbers} share vertices, and no fillings of them together have maximum degree {limit} \
                  (clauses that refute it: {clauses})"
-            )))
-        }
-        Decision::Mesh(fillings) => {
-            for ((&found, filling), own) in joined.iter().zip(&fillings).zip(&places) {
-                let mut chords: Vec<u32> = vec![0; own.len()];
-                filling.as_flattened().iter().for_each(|&corner| chords[corner as usize] += 1);
-                let degree = |(&place, corners): (&u32, u32)| {
-                    let is_shared = places.iter().filter(|all| all.contains(&place)).count() > 1;
-                    let before = loops.degrees[vertices[place as usize] as usize];
-                    // One triangle more than chords.
-                    if is_shared { limit + 1 - corners } else { before }
-                };
-                let degrees = own.iter().zip(chords).map(degree).collect();
-                shares.insert(found, (limit, degrees));
+            )));
+        };
+        let without = |at: usize| -> Vec<[u32; 2]> {
+            branch.iter().filter(|(own, _)| *own == at).map(|&(_, edge)| edge).collect()
+        };
+        let problems = (0..).zip(&joined);
+        let problems =
+            problems.map(|(at, &found)| posed(mesh, &all[found], loops, None, &without(at)));
+        let problems = problems.collect::<Result<Vec<LoopProblem>, Unsolved>>()?;
+        let faces: Vec<_> = problems.iter().zip(&places).map(|(it, own)| (it, &own[..])).collect();
+        let Some(cover) = Cover::of_loops(&faces) else { return Ok(false) };
+        let fillings = match cover.decide(&most, &tangents, &[], COVER_STEPS, progress)? {
+            Decision::Unknown => return Ok(false),
+            Decision::Refuted(refutation) => {
+                clauses += refutation.clauses.len();
+                continue;
             }
-            Ok(true)
+            Decision::Mesh(fillings) => fillings,
+        };
+        let made: Vec<Vec<[u32; 2]>> =
+            joined.iter().zip(&fillings).map(|(&found, it)| chords(&all[found], it)).collect();
+        let twice = (0..made.len()).flat_map(|b| (0..b).map(move |a| [a, b])).find_map(|pair| {
+            let edge = made[pair[0]].iter().find(|edge| made[pair[1]].contains(edge))?;
+            Some((pair, *edge))
+        });
+        if let Some((pair, edge)) = twice {
+            branches.extend(pair.map(|at| [&branch[..], &[(at, edge)]].concat()));
+            continue;
         }
+        for (at, ((&found, filling), own)) in joined.iter().zip(&fillings).zip(&places).enumerate()
+        {
+            let degree = |(&place, corners): (&u32, u32)| {
+                let is_shared = places.iter().filter(|all| all.contains(&place)).count() > 1;
+                let before = loops.degrees[vertices[place as usize] as usize];
+                // One triangle more than chords.
+                limit.filter(|_| is_shared).map_or(before, |limit| limit + 1 - corners)
+            };
+            let degrees = own.iter().zip(corner_counts(filling, own.len())).map(degree).collect();
+            let others = made.iter().enumerate().filter(|(other, _)| *other != at);
+            let without = others.flat_map(|(_, edges)| edges).copied().collect();
+            let degrees = limit.map(|limit| (limit, degrees));
+            shares.insert(found, Share { degrees, without });
+        }
+        return Ok(true);
     }
+    Ok(false)
 }
 
 /// The filling of least area within a loop's share. What is told without a limit is that of the loop alone.
@@ -84,20 +134,40 @@ pub(super) fn solve(
     mesh: &TriMesh,
     found: &MeshLoop,
     loops: &Loops,
-    (limit, degrees): &(u32, Vec<u32>),
+    share: &Share,
+    wanted: LoopLimit,
     progress: Progress<'_>,
 ) -> Result<LoopTriangulation, Unsolved> {
+    let Some((limit, degrees)) = &share.degrees else {
+        return fill_loop(&posed(mesh, found, loops, None, &share.without)?, wanted, progress);
+    };
     let any = LoopLimit::LeastWithin { from: *limit, extra_area: f64::INFINITY };
-    let alone = fill_loop(&posed(mesh, found, loops, None)?, any, progress)?;
-    let problem = posed(mesh, found, loops, Some(degrees))?;
+    let alone = fill_loop(&posed(mesh, found, loops, None, &[])?, any, progress)?;
+    let problem = posed(mesh, found, loops, Some(degrees), &share.without)?;
     let within = fill_loop(&problem, LoopLimit::AtMost(*limit), progress)?;
-    let mut max_degree = 0;
-    let mut chords: Vec<u32> = vec![0; degrees.len()];
-    within.triangles.as_flattened().iter().for_each(|&corner| chords[corner as usize] += 1);
-    for (vertex, chords) in found.vertices.iter().rev().zip(chords) {
-        max_degree = (loops.degrees[*vertex as usize] + chords - 1).max(max_degree);
-    }
+    let counts = corner_counts(&within.triangles, degrees.len());
+    let total = |(vertex, corners): (&u32, u32)| loops.degrees[*vertex as usize] + corners - 1;
+    let max_degree = found.vertices.iter().rev().zip(counts).map(total).max().unwrap_or(0);
     Ok(LoopTriangulation { max_degree, without_limit: alone.without_limit, ..within })
+}
+
+/// The triangles at each of some vertices.
+fn corner_counts(triangles: &[[u32; 3]], vertices: usize) -> Vec<u32> {
+    let mut counts = vec![0; vertices];
+    triangles.as_flattened().iter().for_each(|&corner| counts[corner as usize] += 1);
+    counts
+}
+
+/// The edges of a loop's filling that are not the loop's own, as vertices of the mesh, each ascending.
+fn chords(found: &MeshLoop, filling: &[[u32; 3]]) -> Vec<[u32; 2]> {
+    let count = found.vertices.len();
+    let edges = filling.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let is_chord = |[a, b]: [u32; 2]| ![1, count as u32 - 1].contains(&a.abs_diff(b));
+    let vertex = |place: u32| found.vertices[count - 1 - place as usize];
+    edges
+        .filter(|&edge| edge[0] < edge[1] && is_chord(edge))
+        .map(|[a, b]| [vertex(a).min(vertex(b)), vertex(a).max(vertex(b))])
+        .collect()
 }
 
 /// The loops to fill that are joined with one by shared vertices, from loop to loop.
@@ -106,7 +176,7 @@ fn joined(tasks: &[usize], all: &[MeshLoop], index: usize) -> Vec<usize> {
     let mut next = 0;
     while let Some(&from) = joined.get(next) {
         next += 1;
-        let meets = |&&other: &&usize| shared(&all[from], &all[other]) > 0;
+        let meets = |&&other: &&usize| meet(&all[from], &all[other]);
         let others: Vec<usize> =
             tasks.iter().filter(|other| !joined.contains(other)).filter(meets).copied().collect();
         joined.extend(others);
@@ -115,11 +185,6 @@ fn joined(tasks: &[usize], all: &[MeshLoop], index: usize) -> Vec<usize> {
     joined
 }
 
-fn shared(a: &MeshLoop, b: &MeshLoop) -> usize {
-    a.vertices.iter().filter(|vertex| b.vertices.contains(vertex)).count()
-}
-
-fn share_edges(joined: &[usize], all: &[MeshLoop]) -> bool {
-    let pairs = (0..joined.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
-    pairs.into_iter().any(|(i, j)| shared(&all[joined[i]], &all[joined[j]]) > 1)
+fn meet(a: &MeshLoop, b: &MeshLoop) -> bool {
+    a.vertices.iter().any(|vertex| b.vertices.contains(vertex))
 }

@@ -5,12 +5,13 @@ use mindeg_exact::{LoopProblem, Unsolved};
 use mindeg_mesh::TriMesh;
 
 /// A loop as the solver takes it, by its vertices backward: so the filling faces as the mesh does. `degrees` count
-/// instead of those of the mesh.
+/// instead of those of the mesh; edges between the vertices of `without` are not made.
 pub(super) fn posed(
     mesh: &TriMesh,
     found: &MeshLoop,
     loops: &Loops,
     degrees: Option<&[u32]>,
+    without: &[[u32; 2]],
 ) -> Result<LoopProblem, Unsolved> {
     let backward = || found.vertices.iter().rev().copied();
     let points: Vec<_> = backward().map(|vertex| mesh.positions()[vertex as usize]).collect();
@@ -23,5 +24,6 @@ pub(super) fn posed(
     let there = backward().zip(0..).flat_map(|(vertex, own)| {
         loops.neighbors(vertex).filter_map(place).map(move |other| [own, other])
     });
-    LoopProblem::new(&points, degrees.unwrap_or(&own), there)
+    let of_others = without.iter().filter_map(|&[a, b]| Some([place(a)?, place(b)?]));
+    LoopProblem::new(&points, degrees.unwrap_or(&own), there.chain(of_others))
 }
