@@ -75,6 +75,93 @@ fn a_mesh_of_several_parts_is_verified() {
     assert!(run.errors.contains("the mesh has 1 part (which"), "{}", run.errors);
 }
 
+/// Two regions that share a side, and an island.
+const ISLANDS: &str = r#"{"type": "FeatureCollection", "features": [
+    {"type": "Feature", "properties": {"name": "west"}, "geometry":
+        {"type": "Polygon", "coordinates": [[[0, 0], [4, 0], [4, 3], [0, 3]]]}},
+    {"type": "Feature", "properties": {"name": "east"}, "geometry":
+        {"type": "Polygon", "coordinates": [[[4, 0], [7, 0], [7, 3], [4, 3]]]}},
+    {"type": "Feature", "properties": {"name": "east"}, "geometry":
+        {"type": "Polygon", "coordinates": [[[8, 0], [9, 0], [8, 1]]]}}]}"#;
+
+/// Without interior points, regions that do not all hang together are one mesh, too.
+#[test]
+fn parts_without_interior_points_are_one_mesh() {
+    let folder = tempdir().expect("a folder");
+    let at = |name: &str| folder.path().join(name);
+    let (map, mesh) = (at("map.geojson"), at("map.obj"));
+    fs::write(&map, ISLANDS).expect("a file");
+    let from = [text(&map), "--size", "0.5"];
+    let run = mindeg([&["mesh"], &from[..], &["-o", text(&mesh), "--json"]].concat());
+    assert!(run.errors.contains("map: 2 regions in 2 parts: "), "{}", run.errors);
+    let made = run.json();
+    assert_eq!(
+        (made["regions"].as_u64(), made["parts"].as_array().map(Vec::len)),
+        (Some(2), Some(2))
+    );
+    let read = fs::read_to_string(&mesh).expect("an OBJ");
+    let lines = |start: &str| read.lines().filter(|line| line.starts_with(start)).count() as u64;
+    assert_eq!(made["vertices"], lines("v "));
+    assert_eq!(made["triangles"], lines("f "));
+    // The island is of the group of its name.
+    assert_eq!(["o west", "o east"].map(lines), [1, 1]);
+
+    let verified = mindeg([&["verify", text(&mesh)], &from[..], &["--json"]].concat()).json();
+    assert_eq!(
+        (verified["valid"].as_bool(), verified["parts"].as_array().map(Vec::len)),
+        (Some(true), Some(2))
+    );
+
+    let degree = mindeg([&["degree"], &from[..], &["--json"]].concat()).json();
+    let reached =
+        degree["parts"].as_array().expect("a list").iter().map(|part| part["reached"].as_u64());
+    assert_eq!(degree["reached"].as_u64(), reached.max().flatten());
+    assert_eq!(degree["reached"], made["max_degree"]);
+    for (key, total) in [("vertices", lines("v ")), ("triangles", lines("f "))] {
+        assert_eq!(degree[key], total, "{key}");
+    }
+    let run = mindeg([&["degree"], &from[..]].concat());
+    let said = run.text();
+    assert!(said.contains("Decided by part 1 (west, …), whose vertices count from 0:"), "{said}");
+    assert!(said.contains("With interior points, part 2 (east) decides: "), "{said}");
+
+    let figures = at("figures.json");
+    let run = mindeg([&["tradeoff"], &from[..], &["--json", "-o", text(&figures)]].concat());
+    let curve = run.json();
+    let points = curve["points"].as_array().expect("a list");
+    assert_eq!(points[0]["max_degree"], degree["reached"], "{curve}");
+    assert_eq!(points.last().expect("a point")["share_of_delaunay"], 1.0);
+    let written = fs::read_to_string(&figures).expect("figures");
+    assert_eq!(serde_json::from_str::<serde_json::Value>(&written).expect("JSON"), curve);
+
+    let limited = mindeg(
+        [&["mesh"], &from[..], &["-o", text(&mesh), "--keep-angle", "1", "--json"]].concat(),
+    )
+    .json();
+    assert!(
+        limited["min_angle"].as_f64()
+            > Some(0.999 * curve["delaunay_min_angle"].as_f64().expect("an angle"))
+    );
+
+    for (command, options, why) in [
+        (
+            "mesh",
+            &["--max-degree", "3", "-o", "x.obj"][..],
+            "part 1 (west, …): no mesh of maximum degree 3 was found",
+        ),
+        ("mesh", &["--size-inside", "1", "-o", "x.obj"], "add --interior"),
+        ("degree", &["--proof", "x.json"], "choose one with --feature"),
+        ("tradeoff", &["-o", "x.svg"], "a picture shows one domain, and the file has 2 parts"),
+    ] {
+        mindeg([&[command], &from[..], options].concat()).refuses(&[why]);
+    }
+    // Polygons that are no map say why, and what else there is.
+    fs::write(&map, ISLANDS.replace("[[4, 0], [7, 0]", "[[3, 0], [7, 0]")).expect("a file");
+    let run = mindeg(["mesh", text(&map), "-o", text(&at("none.obj"))]);
+    run.refuses(&["west", "east", "; or give --separate and a folder"]);
+    assert!(!at("none.obj").exists());
+}
+
 #[test]
 fn degrees_come_with_their_bound() {
     let answer = mindeg(["degree", MAP, "--json"]).json();

@@ -158,9 +158,9 @@ fn several_polygons_are_listed_chosen_or_written_to_a_folder() {
     mindeg(["mesh", map, "--feature", "4", "-o", one_file]).refuses(&[
         "no polygon is \"4\"; give a name, or an index from 1 to 3: 1 (Isles 1), 2 (Isles 2), 3",
     ]);
-    mindeg(["mesh", map, "-o", one_file])
+    mindeg(["mesh", map, "--separate", "-o", one_file])
         .refuses(&["has 3 polygons, and", "x.obj is one file; give a folder, such as -o meshes/"]);
-    mindeg(["degree", map]).refuses(&["has 3 polygons; choose one with --feature, by its name or index: 1 (Isles 1), 2 (Isles 2), 3"]);
+    mindeg(["suggest", map]).refuses(&["has 3 polygons; choose one with --feature, by its name or index: 1 (Isles 1), 2 (Isles 2), 3"]);
     assert!(!Path::new(one_file).exists());
 
     let out = folder.path().join("out/");

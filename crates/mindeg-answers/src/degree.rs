@@ -1,6 +1,9 @@
 //! The least maximum degree of a boundary, why it cannot be less, and how it is reached.
 
+mod beside;
 mod words;
+
+pub use beside::DegreeBeside;
 
 use self::words::{certificate_in_words, in_words, map_in_words, region_of};
 use crate::limit::LimitAnswer;
@@ -301,10 +304,7 @@ impl DegreeReport {
     /// The counts, the degree and the reasons, in lines.
     #[must_use]
     pub fn text(&self) -> String {
-        let degree = match self.least_max_degree {
-            Some(least) => least.to_string(),
-            None => format!("{} to {}", self.at_least, self.reached),
-        };
+        let degree = degree_or_range(self.least_max_degree, [self.at_least, self.reached]);
         let rows = [
             ("sides", self.intervals.len().to_string()),
             ("holes", self.holes.to_string()),
@@ -323,4 +323,9 @@ impl DegreeReport {
         let rows: String = rows.map(|(name, value)| format!("{name:<21} {value}\n")).collect();
         format!("{rows}\n{}", self.words)
     }
+}
+
+/// A degree, or what it is between.
+fn degree_or_range(least: Option<u32>, [at_least, reached]: [u32; 2]) -> String {
+    least.map_or_else(|| format!("{at_least} to {reached}"), |least| least.to_string())
 }

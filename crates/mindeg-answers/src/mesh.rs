@@ -1,9 +1,11 @@
 //! The proven facts about a mesh, and the gain from a higher degree.
 
+use mindeg::beside::MeshBeside;
 use mindeg::exact::share_of;
 use mindeg::{FoundBy, Goal, HigherDegree, Meshed};
 use serde::Serialize;
 
+use crate::names::{part_name, region_count, shown};
 use crate::numbers::{percent, steady_angle};
 
 /// A mesh of boundary points; angles are in degrees. Degrees are total: edges outside the domain count.
@@ -58,6 +60,74 @@ impl MeshAnswer {
     }
 }
 
+/// The mesh of several domains beside each other.
+#[derive(Clone, Debug, Serialize)]
+pub struct MeshBesideAnswer {
+    /// The name of all of them together, the intervals of the sides of all, and the mesh of all. `found_by` is that of the
+    /// part with the highest degree.
+    #[serde(flatten)]
+    pub all: MeshAnswer,
+    /// How many regions have names that differ.
+    pub regions: usize,
+    /// The mesh of each domain.
+    pub parts: Vec<MeshAnswer>,
+}
+
+impl MeshBesideAnswer {
+    /// The answer for a mesh whose parts have these angles, the least and the greatest.
+    #[must_use]
+    pub fn of(found: &MeshBeside, angles: &[[f64; 2]], name: Option<&str>) -> Self {
+        let answer = |(part, angles): (&Meshed, &[f64; 2])| MeshAnswer::of(part, *angles);
+        let parts: Vec<MeshAnswer> = found.parts.iter().zip(angles).map(answer).collect();
+        let (least, is_proven) = found.least_max_degree();
+        let highest = parts.iter().rev().max_by_key(|part| part.max_degree);
+        let delaunay = parts.iter().map(|part| part.delaunay_min_angle);
+        let least_angle = |a: f64, b: f64| a.min(b);
+        let all = MeshAnswer {
+            name: name.map(str::to_owned),
+            intervals: parts.iter().flat_map(|part| part.intervals.iter().copied()).collect(),
+            vertices: parts.iter().map(|part| part.vertices).sum(),
+            triangles: parts.iter().map(|part| part.triangles).sum(),
+            max_degree: parts.iter().map(|part| part.max_degree).fold(0, u32::max),
+            least_max_degree: is_proven.then_some(least),
+            at_least: least,
+            min_angle: parts.iter().map(|part| part.min_angle).fold(f64::INFINITY, least_angle),
+            max_angle: parts.iter().map(|part| part.max_angle).fold(0.0, f64::max),
+            found_by: highest.map_or("windows", |part| part.found_by),
+            delaunay_min_angle: delaunay.reduce(|a, b| Some(least_angle(a?, b?))).flatten(),
+            reversed: parts.iter().any(|part| part.reversed),
+        };
+        let regions = region_count(found.parts.iter().map(|part| part.mesh.domain()));
+        Self { all, regions, parts }
+    }
+}
+
+/// The mesh of several domains, in lines: its size, its degree and its angles, and the part with the highest degree.
+#[must_use]
+pub fn mesh_beside(found: &MeshBeside, answer: &MeshBesideAnswer, goal: Goal) -> Vec<String> {
+    let MeshBesideAnswer { all, regions, parts } = answer;
+    let counts = [all.vertices, all.triangles, all.max_degree];
+    let size = in_line(
+        counts,
+        "",
+        (all.least_max_degree.is_some(), all.at_least),
+        [all.min_angle, all.max_angle],
+    );
+    let count = parts.len();
+    let name = shown(all.name.as_deref().unwrap_or("map")).into_owned();
+    let mut lines = vec![format!("{name}: {regions} regions in {count} parts: {size}")];
+    let highest = (0..count).rev().max_by_key(|&part| parts[part].max_degree);
+    lines.extend(highest.and_then(|part| {
+        let meshed = found.parts.get(part)?;
+        let standing = standing(meshed, goal, parts[part].min_angle)?;
+        Some(format!(
+            "The highest degree is that of {}. {standing}",
+            part_name(part, meshed.mesh.domain())
+        ))
+    }));
+    lines
+}
+
 /// How a mesh was found: `formula`, `search` (exact), `windows` (the degree is an upper bound), `exhaustive` or
 /// `zig_zag` (the degree is the least, the angle may not be the largest with it).
 #[must_use]
@@ -76,14 +146,21 @@ pub fn found_by(found_by: FoundBy) -> &'static str {
 pub fn mesh(meshed: &Meshed, angles: [f64; 2]) -> String {
     let mesh = &meshed.mesh;
     let total = if mesh.domain().is_constrained() { "total " } else { "" };
+    let counts = [mesh.vertex_count(), mesh.triangle_count(), mesh.max_total_degree()];
+    in_line(counts, total, (meshed.is_least_proven, meshed.least_max_degree), angles)
+}
+
+fn in_line(
+    [vertices, triangles, max_degree]: [u32; 3],
+    total: &str,
+    (is_proven, least): (bool, u32),
+    angles: [f64; 2],
+) -> String {
     let [min, max] = angles.map(steady_angle);
+    let least_is = if is_proven { "least possible" } else { "no mesh has less than" };
     format!(
-        "{} vertices, {} triangles, maximum {total}degree {} ({} {}), angles {min} to {max}",
-        mesh.vertex_count(),
-        mesh.triangle_count(),
-        mesh.max_total_degree(),
-        if meshed.is_least_proven { "least possible" } else { "no mesh has less than" },
-        meshed.least_max_degree,
+        "{vertices} vertices, {triangles} triangles, maximum {total}degree {max_degree} ({least_is} {least}), \
+         angles {min} to {max}"
     )
 }
 

@@ -1,6 +1,8 @@
 //! Names from files, which may hold anything, in a text for a terminal.
 
+use mindeg::Domain;
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 
 /// A text of several lines in which nothing steers a terminal; what would, is an escape.
 #[must_use]
@@ -12,6 +14,24 @@ pub fn safe_lines(text: &str) -> Cow<'_, str> {
 #[must_use]
 pub fn shown(name: &str) -> Cow<'_, str> {
     escaped(name, steers)
+}
+
+/// One of several domains beside each other, by its index and the first of its regions: `part 2 (Nevada, …)`.
+#[must_use]
+pub fn part_name(index: usize, domain: &Domain) -> String {
+    let mut regions = domain.inside().regions.iter().filter_map(|region| region.name.as_deref());
+    match (regions.next().or(domain.name()), regions.next()) {
+        (None, _) => format!("part {}", index + 1),
+        (Some(name), None) => format!("part {} ({})", index + 1, shown(name)),
+        (Some(name), Some(_)) => format!("part {} ({}, …)", index + 1, shown(name)),
+    }
+}
+
+/// How many names the regions of domains have, each counted once.
+#[must_use]
+pub fn region_count<'d>(domains: impl Iterator<Item = &'d Domain>) -> usize {
+    let regions = domains.flat_map(|domain| &domain.inside().regions);
+    regions.filter_map(|region| region.name.as_deref()).collect::<BTreeSet<_>>().len()
 }
 
 /// Whether a character moves, colors, ends or turns round what a terminal shows.

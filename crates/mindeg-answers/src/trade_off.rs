@@ -2,7 +2,7 @@
 
 use crate::advice::KEPT;
 use crate::numbers::{percent, steady_angle};
-use mindeg::exact::TradeOff;
+use mindeg::exact::{TradeOff, keeps, share_of};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -59,6 +59,47 @@ impl TradeOffAnswer {
             delaunay_min_angle: trade_off.delaunay_min_angle(),
             advised: trade_off.keeping(KEPT).map(|exact| exact.max_degree),
         }
+    }
+
+    /// The figures of domains beside each other: at each degree, the least of the angles that the domains have there. The
+    /// first degree is one that all domains have a mesh of.
+    #[must_use]
+    pub fn of_all(trade_offs: &[TradeOff]) -> Self {
+        let most =
+            trade_offs.iter().map(TradeOff::delaunay_min_angle).fold(f64::INFINITY, f64::min);
+        let degrees = |trade_off: &TradeOff| -> Vec<u32> {
+            trade_off.meshes().iter().map(|exact| exact.max_degree).collect()
+        };
+        let mut all: Vec<u32> = trade_offs.iter().flat_map(degrees).collect();
+        all.sort_unstable();
+        all.dedup();
+        let mut points: Vec<AngleAtDegree> = Vec::new();
+        for max_degree in all {
+            // The best mesh of each domain within the degree.
+            let best = |trade_off: &TradeOff| {
+                let within =
+                    trade_off.meshes().iter().take_while(|exact| exact.max_degree <= max_degree);
+                within.last().map(|exact| {
+                    // A trade-off that is not exact may leave out degrees without a better mesh.
+                    let is_best = exact.max_degree == max_degree || trade_off.share(exact) >= 1.0;
+                    (exact.min_angle, exact.is_proven && is_best)
+                })
+            };
+            let Some(best) = trade_offs.iter().map(best).collect::<Option<Vec<_>>>() else {
+                continue;
+            };
+            let min_angle = best.iter().map(|best| best.0).fold(f64::INFINITY, f64::min);
+            if points.last().is_some_and(|last| last.min_angle >= min_angle) {
+                continue;
+            }
+            let share_of_delaunay = share_of(min_angle, most);
+            // Where a domain with the least angle is proven to have no larger one, neither have all.
+            let exact = best.iter().any(|&(angle, is_proven)| is_proven && angle <= min_angle);
+            points.push(AngleAtDegree { max_degree, min_angle, share_of_delaunay, exact });
+        }
+        let kept = |point: &&AngleAtDegree| keeps(point.min_angle, KEPT, most);
+        let advised = points.iter().find(kept).map(|point| point.max_degree);
+        Self { points, delaunay_min_angle: most, advised }
     }
 
     /// Which degree to take, and what the least costs, in a sentence or two. `delaunay_max_degree` is the
@@ -119,6 +160,47 @@ impl TradeOffAnswer {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use mindeg::{Domain, Goal, Progress, Side, exact, mesh};
+
+    /// At each degree, the angle of domains beside each other is the least that each has by itself.
+    #[test]
+    fn several_domains_have_the_least_angle_at_each_degree() {
+        let rectangle = |width: f64, counts: [u64; 4]| {
+            Domain::rectangle(width, 3.0, counts.map(Side::count).into()).unwrap()
+        };
+        let domains =
+            [rectangle(4.0, [12, 9, 4, 4]), rectangle(9.0, [3, 7, 5, 2]), rectangle(1.0, [2; 4])];
+        let trade_offs: Vec<TradeOff> = domains
+            .iter()
+            .map(|domain| exact::trade_off(domain, Progress::NONE).unwrap())
+            .collect();
+        let answer = TradeOffAnswer::of_all(&trade_offs);
+        // No mesh of the first has less.
+        assert_eq!(answer.points[0].max_degree, 5);
+        let best = |limit| {
+            let angle = |domain| {
+                mesh(domain, Goal::MaxDegree(limit), Progress::NONE).unwrap().mesh.angle_range().min
+            };
+            domains.iter().map(angle).fold(f64::INFINITY, f64::min)
+        };
+        let mut expected = 0.0;
+        for limit in 5..=15 {
+            let angle = best(limit);
+            let point = answer.points.iter().find(|point| point.max_degree == limit);
+            assert_eq!(point.is_some(), angle > expected * (1.0 + 1e-9), "{limit}");
+            expected = angle.max(expected);
+            let Some(point) = point else { continue };
+            assert!(
+                (point.min_angle - angle).abs() < 1e-8 && point.exact,
+                "{limit}: {point:?} {angle}"
+            );
+        }
+        assert_eq!(answer.points.last().unwrap().share_of_delaunay, 1.0);
+        assert!((expected - answer.delaunay_min_angle).abs() < 1e-8);
+        // Alone, a domain has its own.
+        let alone = TradeOffAnswer::of_all(&trade_offs[..1]);
+        assert_eq!(alone.advised, TradeOffAnswer::of(&trade_offs[0]).advised);
+    }
 
     #[test]
     fn no_angle_above_delaunays_is_said_to_be_possible() {

@@ -2,14 +2,16 @@
 
 use crate::args::DegreeArguments;
 use crate::bar::Bar;
-use crate::domain::{Counted, counted};
+use crate::domain::{Counted, Parts, counted};
 use crate::failure::Failure;
 use crate::interrupt::{SESSION, clean_up_on_interrupt};
 use crate::standard_output::{print, print_json};
-use mindeg::{Domain, Goal, Interior, Progress};
+use mindeg::beside::each;
+use mindeg::{Domain, Goal, Interior, MeshError, Progress};
 use mindeg_answers::advice::shell_word;
-use mindeg_answers::degree::DegreeReport;
+use mindeg_answers::degree::{DegreeBeside, DegreeReport};
 use mindeg_answers::limit::Lifting;
+use mindeg_answers::names::part_name;
 use mindeg_answers::numbers::steady_angle;
 use mindeg_answers::suggest::in_words;
 use mindeg_core::{Boundary, suggest};
@@ -25,7 +27,12 @@ pub(crate) fn run(arguments: &DegreeArguments) -> Result<(), Failure> {
             let boundary = Boundary::new(&counts).map_err(Failure::input)?;
             (DegreeReport::of_counts(&boundary), None)
         }
-        Counted::Domain(domain) => {
+        Counted::Subject(subject) => {
+            let mut parts = subject.parts()?;
+            if parts.domains.len() > 1 {
+                return beside(arguments, &parts);
+            }
+            let domain = parts.domains.remove(0);
             let bar = Bar::new(arguments.json);
             let found =
                 bar.work(|progress| DegreeReport::with_effort(&domain, arguments.effort, progress));
@@ -46,6 +53,41 @@ pub(crate) fn run(arguments: &DegreeArguments) -> Result<(), Failure> {
         text.extend(higher_degree(domain, &path.display().to_string()));
     }
     text.extend(lifting.map(|found| format!("With interior points: {}\n", found.text())));
+    print(&text)
+}
+
+/// The degrees of several domains beside each other.
+fn beside(arguments: &DegreeArguments, parts: &Parts) -> Result<(), Failure> {
+    if arguments.proof.is_some() {
+        return Err(Failure::input(
+            "--proof: a file holds the proof of one domain; choose one with --feature",
+        ));
+    }
+    let domains = &parts.domains;
+    let bar = Bar::new(arguments.json);
+    let found = bar.work(|progress| {
+        each(domains, "searching for degrees", progress, |domain, progress| {
+            let mut report = DegreeReport::with_effort(domain, arguments.effort, progress)?;
+            let lifting = lifting(domain, arguments.boundary_degree, 1);
+            report.limit = lifting.as_ref().map(Lifting::answer);
+            Ok::<_, MeshError>((report, lifting))
+        })
+    });
+    let found = found.map_err(|(index, error)| parts.failure((index, Failure::input(error))))?;
+    drop(bar);
+    let (reports, liftings): (Vec<_>, Vec<_>) = found.into_iter().unzip();
+    let answer = DegreeBeside::of(domains, reports);
+    if arguments.json {
+        return print_json(&answer);
+    }
+    let mut text = answer.text();
+    let known =
+        liftings.iter().enumerate().filter_map(|(part, found)| Some((part, found.as_ref()?)));
+    let least = known.min_by(|(_, a), (_, b)| a.limit.min_angle.total_cmp(&b.limit.min_angle));
+    text.extend(least.map(|(part, found)| {
+        let part = part_name(part, &domains[part]);
+        format!("With interior points, {part} decides: {}\n", found.text())
+    }));
     print(&text)
 }
 

@@ -8,7 +8,7 @@ use crate::failure::Failure;
 use crate::interrupt::SESSION;
 use crate::terminal::say;
 use mindeg::{Domain, Intervals, Model, Outline, Rectangle, Side, TriMesh};
-use mindeg_answers::names::shown;
+use mindeg_answers::names::{part_name, shown};
 use mindeg_files::{Content, Division, Input, PolygonFile, ReadOptions, Selection, Wanted};
 use std::borrow::Cow;
 use std::path::Path;
@@ -31,18 +31,45 @@ impl Subject {
             Self::Model(_) | Self::Mesh(_) => unreachable!("opened as a domain"),
         }
     }
+
+    /// The only domain, or those of polygons that do not all hang together.
+    pub(crate) fn parts(self) -> Result<Parts, Failure> {
+        match self {
+            Self::Polygons(polygons) if polygons.polygons.len() > 1 => {
+                Parts::of(&polygons, "choose one with --feature")
+            }
+            one => Ok(Parts { name: None, domains: vec![one.only()?] }),
+        }
+    }
+}
+
+/// Domains beside each other that are meshed as one, such as islands; mostly one domain.
+pub(crate) struct Parts {
+    /// The name of all together, if there are several.
+    pub(crate) name: Option<String>,
+    pub(crate) domains: Vec<Domain>,
+}
+
+impl Parts {
+    /// The parts of polygons that are the regions of a map; `way_out` says what to do where they cannot be.
+    pub(crate) fn of(polygons: &PolygonFile, way_out: &str) -> Result<Self, Failure> {
+        let (domains, notes) =
+            polygons.maps().map_err(|error| Failure::Input(format!("{error}; or {way_out}")))?;
+        notes.iter().for_each(|note| say(&format!("{}: {note}", polygons.file)));
+        Ok(Self { name: polygons.name().map(str::to_owned), domains })
+    }
+
+    /// The failure of a part, which is named if there are several.
+    pub(crate) fn failure(&self, (index, failure): (usize, Failure)) -> Failure {
+        match &self.domains[..] {
+            [_] => failure,
+            domains => failure.of(&part_name(index, &domains[index])),
+        }
+    }
 }
 
 /// The name of a domain without a name.
 pub(crate) const UNNAMED: &str = "domain";
-
-/// The only domain that the arguments describe.
-pub(crate) fn domain(arguments: &DomainArguments) -> Result<Domain, Failure> {
-    match &arguments.file {
-        None => from_options(&arguments.options),
-        Some(path) => from_file(path, &arguments.options),
-    }
-}
 
 /// The name of a domain at the start of a line.
 pub(crate) fn name(domain: &Domain) -> Cow<'_, str> {
@@ -58,14 +85,14 @@ pub(crate) fn name_in_text(domain: &Domain) -> Cow<'_, str> {
 pub(crate) enum Counted {
     /// Interval counts as typed.
     Counts(Vec<u64>),
-    /// A domain.
-    Domain(Box<Domain>),
+    /// What a file or options describe.
+    Subject(Subject),
 }
 
 /// The interval counts as typed, or the domain that the arguments describe.
 pub(crate) fn counted(arguments: &CountsArguments) -> Result<Counted, Failure> {
     let CountsArguments { counts, options } = arguments;
-    let domain = match counts {
+    let subject = match counts {
         Some(Counts::Given(_)) if options.divides() => {
             return Err(Failure::input(
                 "--intervals, --size and --spacing divide the sides of a domain; the counts \
@@ -73,10 +100,10 @@ pub(crate) fn counted(arguments: &CountsArguments) -> Result<Counted, Failure> {
             ));
         }
         Some(Counts::Given(counts)) => return Ok(Counted::Counts(counts.clone())),
-        Some(Counts::Domain(path)) => from_file(path, options)?,
-        None => from_options(options)?,
+        Some(Counts::Domain(path)) => in_file(path, options, Wanted::Domain, &Bar::new(true))?,
+        None => Subject::Domain(Box::new(from_options(options)?)),
     };
-    Ok(Counted::Domain(Box::new(domain)))
+    Ok(Counted::Subject(subject))
 }
 
 /// The domain in a file; options override the file's settings of its sides.

@@ -1,5 +1,6 @@
 //! `mindeg mesh`: from a domain to files.
 
+mod beside;
 mod features;
 mod interior;
 mod model;
@@ -7,7 +8,7 @@ mod model;
 use crate::args::MeshArguments;
 use crate::bar::Bar;
 use crate::demands::{met_or_written_anyway, unmet_by_boundary_mesh};
-use crate::domain::{Subject, name, subject};
+use crate::domain::{Parts, Subject, name, subject};
 use crate::failure::Failure;
 use crate::making::Making;
 use mindeg::MeshError;
@@ -19,6 +20,9 @@ use std::path::PathBuf;
 
 pub(crate) use features::are_one_map;
 
+/// What to do with polygons that are not the regions of one mesh.
+const SEPARATE: &str = "give --separate and a folder, such as -o meshes/, for a mesh of each polygon, or choose one with --feature";
+
 pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
     let output = &arguments.surface.output;
     match subject(&arguments.domain, Wanted::Model, &Bar::new(arguments.quiet))? {
@@ -27,8 +31,12 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
             if are_one_map(arguments) {
                 return interior::run_maps(arguments, &polygons);
             }
-            if let Some(map) = features::only_map(arguments, &polygons) {
-                return mesh_of(&map, arguments, output);
+            if features::is_one_mesh(arguments) {
+                let parts = Parts::of(&polygons, SEPARATE)?;
+                return match &parts.domains[..] {
+                    [map] => mesh_of(map, arguments, output),
+                    _ => beside::run(&parts, arguments),
+                };
             }
             features::run(arguments, &polygons, |domain, output| mesh_of(domain, arguments, output))
         }

@@ -17,7 +17,8 @@ pub(crate) fn run(arguments: &SuggestArguments) -> Result<(), Failure> {
             let boundary = Boundary::new(&counts).map_err(Failure::input)?;
             (SuggestAnswer::of_counts(&boundary, wanted).map_err(Failure::input)?, None)
         }
-        Counted::Domain(domain) => {
+        Counted::Subject(subject) => {
+            let domain = subject.only()?;
             let bar = Bar::new(arguments.json);
             let found = bar.work(|progress| SuggestAnswer::of(&domain, wanted, progress));
             (found.map_err(Failure::input)?, lifting(&domain, None, usize::MAX))

@@ -2,7 +2,7 @@
 
 use crate::args::TradeoffArguments;
 use crate::bar::Bar;
-use crate::domain::domain;
+use crate::domain::subject;
 use crate::failure::Failure;
 use crate::interrupt::{SESSION, clean_up_on_interrupt};
 use crate::making::wrote;
@@ -10,53 +10,79 @@ use crate::mesh::unsolved;
 use crate::standard_output::{print, print_json};
 use crate::suggest::{left_out, spread};
 use crate::terminal::say;
+use mindeg::beside::each;
 use mindeg::exact::{self, TradeOff};
 use mindeg_answers::numbers::{steady_angle, steady_percent};
 use mindeg_answers::trade_off::TradeOffAnswer;
 use mindeg_compare::{write_trade_off_html, write_trade_off_json, write_trade_off_svg};
-use mindeg_files::{Outputs, write_to};
+use mindeg_files::{Outputs, Wanted, write_to};
 use std::fmt::Write as _;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-type Writer = fn(&TradeOff, &mut dyn Write) -> io::Result<()>;
+/// Writes a trade-off that is drawn, or the figures of all.
+type Writer = fn(&TradeOff, &TradeOffAnswer, &mut dyn Write) -> io::Result<()>;
 
 pub(crate) fn run(arguments: &TradeoffArguments) -> Result<(), Failure> {
     let writers: Vec<Writer> =
         arguments.output.iter().map(|path| writer(path)).collect::<Result<_, _>>()?;
-    let domain = domain(&arguments.domain)?;
+    let parts = subject(&arguments.domain, Wanted::Domain, &Bar::new(true))?.parts()?;
+    if let (true, Some(page)) =
+        (parts.domains.len() > 1, arguments.output.iter().find(|path| draws(path)))
+    {
+        return Err(Failure::Input(format!(
+            "-o {}: a picture shows one domain, and the file has {} parts that share no edge; choose one with --feature, \
+             or write the figures to a .json",
+            page.display(),
+            parts.domains.len()
+        )));
+    }
     clean_up_on_interrupt()?;
     // Refuse outputs that cannot be written before the work, which can take minutes.
     let mut outputs = Outputs::new(&SESSION);
     let open = |path: &PathBuf| outputs.open(path);
     let opened: Vec<_> = arguments.output.iter().map(open).collect::<Result<_, _>>()?;
 
-    let trade_off = Bar::new(arguments.quiet)
-        .work(|progress| exact::trade_off(&domain, progress))
-        .map_err(|error| unsolved(&error, "take mindeg mesh for the mesh of least degree"))?;
+    let trade_offs = Bar::new(arguments.quiet)
+        .work(|progress| each(&parts.domains, "searching for angles", progress, exact::trade_off))
+        .map_err(|(index, error)| {
+            let failure = unsolved(&error, "take mindeg mesh for the mesh of least degree");
+            parts.failure((index, failure))
+        })?;
+    let answer = match &trade_offs[..] {
+        [one] => TradeOffAnswer::of(one),
+        all => TradeOffAnswer::of_all(all),
+    };
     for ((path, out), write) in arguments.output.iter().zip(opened).zip(writers) {
-        write_to(path, out, |out| write(&trade_off, out))?;
+        write_to(path, out, |out| write(&trade_offs[0], &answer, out))?;
     }
     outputs.finish()?;
     let files: Vec<_> = arguments.output.iter().map(|path| path.display().to_string()).collect();
     if let Some(line) = wrote(&files).filter(|_| !arguments.quiet) {
         say(&line);
     }
-    let answer = TradeOffAnswer::of(&trade_off);
     if arguments.json { print_json(&answer) } else { print(&table(&answer, arguments.limit)) }
 }
 
 fn writer(path: &Path) -> Result<Writer, Failure> {
-    let extension = path.extension().map(|name| name.to_string_lossy().to_lowercase());
-    match extension.as_deref() {
-        Some("html" | "htm") => Ok(|trade_off, out| write_trade_off_html(trade_off, out)),
-        Some("svg") => Ok(|trade_off, out| write_trade_off_svg(trade_off, out)),
-        Some("json") => Ok(|trade_off, out| write_trade_off_json(trade_off, out)),
+    match extension(path).as_deref() {
+        Some("html" | "htm") => Ok(|drawn, _, out| write_trade_off_html(drawn, out)),
+        Some("svg") => Ok(|drawn, _, out| write_trade_off_svg(drawn, out)),
+        Some("json") => Ok(|_, answer, out| write_trade_off_json(answer, out)),
         _ => Err(Failure::Input(format!(
             "-o {}: a trade-off ends in .html, .svg or .json",
             path.display()
         ))),
     }
+}
+
+fn extension(path: &Path) -> Option<String> {
+    path.extension().map(|name| name.to_string_lossy().to_lowercase())
+}
+
+/// Whether a report draws the domain.
+fn draws(path: &Path) -> bool {
+    extension(path).as_deref() != Some("json")
 }
 
 fn table(answer: &TradeOffAnswer, limit: u32) -> String {

@@ -5,7 +5,7 @@ mod parts;
 use crate::args::VerifyArguments;
 use crate::bar::Bar;
 use crate::demands::met;
-use crate::domain::{Subject, from_options, in_file, name_in_text};
+use crate::domain::{from_options, in_file, name_in_text};
 use crate::failure::Failure;
 use crate::interrupt::clean_up_on_interrupt;
 use crate::making::read_mesh;
@@ -22,13 +22,14 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Failure> {
     clean_up_on_interrupt()?;
     check_order(arguments)?;
     let domain = match &arguments.domain {
-        Some(path) => match in_file(path, &arguments.options, Wanted::Domain, &Bar::new(true))? {
-            Subject::Polygons(polygons) => match parts::domains(&polygons) {
-                Some(domains) => return parts::run(arguments, &polygons, &domains),
-                None => polygons.only()?,
-            },
-            subject => subject.only()?,
-        },
+        Some(path) => {
+            let mut parts =
+                in_file(path, &arguments.options, Wanted::Domain, &Bar::new(true))?.parts()?;
+            if parts.domains.len() > 1 {
+                return parts::run(arguments, &parts);
+            }
+            parts.domains.remove(0)
+        }
         None => from_options(&arguments.options)?,
     };
     let proof = arguments.proof.as_deref().map(read_proof).transpose()?;

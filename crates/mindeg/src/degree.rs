@@ -9,7 +9,7 @@ use mindeg_mesh::Progress;
 use mindeg_mesh::planar::PlanarBoundary;
 
 use crate::error::MeshError;
-use crate::map::mesh_map;
+use crate::map;
 use crate::model::bound::JointBound;
 use crate::posed::Posed;
 
@@ -120,7 +120,7 @@ pub(crate) fn degree_decided(
         return Ok(DegreeAnswer { reached: least, at_least: least, reached_by, bounded_by });
     }
     if domain.is_map() {
-        let found = mesh_map(domain, 0.0, wanted.unwrap_or(0), effort, progress)?;
+        let found = map::least(domain, wanted.unwrap_or(0), effort, progress)?;
         return Ok(DegreeAnswer {
             reached: found.max_degree(),
             at_least: found.bound.max_degree(),

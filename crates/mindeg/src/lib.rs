@@ -36,6 +36,7 @@
 //! takes convex domains, of any size. On other domains the solver finds the least maximum degree with
 //! its proof; where too many vertices see each other, it states the gap.
 
+pub mod beside;
 mod boundary_mesh;
 pub mod bridge;
 pub mod changes;

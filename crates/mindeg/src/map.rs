@@ -88,7 +88,30 @@ pub(crate) fn mesh_map(
 
 /// The mesh of the least degree that is found.
 pub(crate) fn least_degree(domain: &Domain, progress: Progress<'_>) -> Result<Meshed, MeshError> {
-    Ok(mesh_map(domain, 0.0, 0, 1.0, progress)?.meshed(0.0))
+    Ok(least(domain, 0, 1.0, progress)?.meshed(0.0))
+}
+
+/// The mesh of the least degree that is found, down to a limit.
+///
+/// # Errors
+///
+/// The errors of [`mesh_map`].
+pub(crate) fn least(
+    domain: &Domain,
+    limit: u32,
+    effort: f64,
+    progress: Progress<'_>,
+) -> Result<MapMesh, MeshError> {
+    let mut best = mesh_map(domain, 0.0, limit, effort, progress)?;
+    // A search that aims far below what is possible may end above what one for the next degree reaches.
+    while best.max_degree() > best.at_least.max(limit) + 1 {
+        let next = mesh_map(domain, 0.0, best.max_degree() - 1, effort, progress)?;
+        if next.max_degree() >= best.max_degree() {
+            break;
+        }
+        best.mesh = next.mesh;
+    }
+    Ok(best)
 }
 
 /// The mesh of the least degree that is found with a share of Delaunay's minimum angle, 0 to 1.

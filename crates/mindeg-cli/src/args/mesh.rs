@@ -44,8 +44,8 @@ pub(crate) struct MeshArguments {
     #[command(flatten)]
     pub(crate) domain: DomainArguments,
 
-    /// Mesh each polygon of a file by itself, into files of its own: give a folder, such as -o meshes/. With
-    /// --interior, polygons are otherwise the regions of one mesh
+    /// Mesh each polygon of a file by itself, into files of its own: give a folder, such as -o meshes/.
+    /// Otherwise polygons are the regions of one mesh
     #[arg(long, requires = "domain", help_heading = "Outlines")]
     pub(crate) separate: bool,
 
@@ -56,7 +56,8 @@ pub(crate) struct MeshArguments {
     pub(crate) preset: PresetArgument,
 
     /// Print a summary as JSON; its keys: name, intervals, vertices, triangles, max_degree,
-    /// least_max_degree, min_angle, max_angle, found_by, delaunay_min_angle, reversed, files
+    /// least_max_degree, at_least, min_angle, max_angle, found_by, delaunay_min_angle, reversed, files; of polygons
+    /// that do not all hang together also regions and parts
     #[arg(long, help_heading = "Messages")]
     pub(crate) json: bool,
 

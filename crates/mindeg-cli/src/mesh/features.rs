@@ -12,13 +12,8 @@ pub(crate) fn are_one_map(arguments: &MeshArguments) -> bool {
     arguments.interior.interior && is_one_mesh(arguments)
 }
 
-/// The map of a file whose polygons all hang together, for a mesh without interior points.
-pub(super) fn only_map(arguments: &MeshArguments, polygons: &PolygonFile) -> Option<Domain> {
-    is_one_mesh(arguments).then(|| polygons.only().ok()).flatten()
-}
-
-/// Whether one mesh is wanted.
-fn is_one_mesh(arguments: &MeshArguments) -> bool {
+/// Whether one mesh is wanted of all polygons.
+pub(super) fn is_one_mesh(arguments: &MeshArguments) -> bool {
     !arguments.separate && !arguments.surface.output.iter().any(|path| is_pattern(path))
 }
 
@@ -34,7 +29,7 @@ pub(super) fn run(
         return Err(Failure::Input(format!(
             "{} has {count} polygons, and {} is one file; give a folder, such as -o meshes/, or a \
              name with {{name}} or {{index}}, such as -o 'meshes/{{name}}.glb', choose one polygon with \
-             --feature, or add --interior for one mesh with the polygons as regions",
+             --feature, or leave out --separate for one mesh with the polygons as regions",
             polygons.file,
             plain.display()
         )));

@@ -1,23 +1,22 @@
 //! `mindeg mesh --interior`: a domain with points inside.
 
+use super::SEPARATE;
 use crate::args::MeshArguments;
 use crate::demands::met_or_written_anyway;
-use crate::domain::name;
+use crate::domain::{Parts, name};
 use crate::failure::Failure;
 use crate::interrupt::SESSION;
 use crate::making::Making;
-use crate::terminal::say;
 use mindeg::interior::{self, InteriorError, InteriorMesh};
 use mindeg::{Domain, Interior, Size};
 use mindeg_answers::interior::{
     InteriorAnswer, angles_and_degrees, corners, grading, local_limits, unmet_degrees, violations,
 };
 use mindeg_answers::limit::{Lifting, LimitAnswer};
-use mindeg_answers::names::shown;
+use mindeg_answers::names::{region_count, shown};
 use mindeg_answers::sizes::{coarse_sides, sizes};
 use mindeg_files::{Input, PolygonFile};
 use serde::Serialize;
-use std::collections::BTreeSet;
 
 /// The output of `--json`.
 #[derive(Serialize)]
@@ -55,17 +54,23 @@ pub(super) fn wanted(
     let options = &arguments.interior;
     let is_wanted = options.interior || domain.interior().is_some() && !options.no_interior;
     if !is_wanted {
-        let sizes = (!options.sizes.is_empty()).then(|| "--sizes".to_owned());
-        return match options.wanted.first_given().or(sizes) {
-            Some(option) => Err(Failure::Input(format!(
-                "{option} is for meshes with interior points; add --interior"
-            ))),
-            None => Ok(None),
-        };
+        return refuse_options(arguments).map(|()| None);
     }
     let from = if options.interior { "--interior" } else { "\"interior\" in the domain's file" };
     arguments.refuse_goals_with_interior(from)?;
     with_sizes(arguments, domain.interior()).map(Some)
+}
+
+/// Refuses options for interior points where none are wanted.
+pub(super) fn refuse_options(arguments: &MeshArguments) -> Result<(), Failure> {
+    let options = &arguments.interior;
+    let sizes = (!options.sizes.is_empty()).then(|| "--sizes".to_owned());
+    match options.wanted.first_given().or(sizes) {
+        Some(option) => Err(Failure::Input(format!(
+            "{option} is for meshes with interior points; add --interior"
+        ))),
+        None => Ok(()),
+    }
 }
 
 /// The interior points that the options ask for, in place of those of the file.
@@ -115,8 +120,7 @@ pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Res
     arguments.refuse_goals_with_interior("--interior")?;
     let surface = &arguments.surface;
     let mut making = Making::new(surface, &surface.output, arguments.quiet, arguments.json)?;
-    let (domains, notes) = polygons.maps()?;
-    notes.iter().for_each(|note| say(&format!("{}: {note}", polygons.file)));
+    let domains = Parts::of(polygons, SEPARATE)?.domains;
     let wanted = with_sizes(arguments, None)?;
     making.open()?;
     let meshed = making.work(|progress| interior::mesh_all(&domains, &wanted, progress));
@@ -133,8 +137,7 @@ pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Res
 
     let made = making.write(mesh)?;
     let lifting = Lifting { limit: limit.clone(), steps: Vec::new() };
-    let names = domains.iter().flat_map(|domain| &domain.inside().regions);
-    let regions = names.filter_map(|region| region.name.as_ref()).collect::<BTreeSet<_>>().len();
+    let regions = region_count(domains.iter());
     let summary = Summary {
         name,
         intervals: domains.iter().flat_map(|domain| domain.rings().sides()).collect(),

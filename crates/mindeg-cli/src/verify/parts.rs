@@ -3,14 +3,14 @@
 use crate::args::VerifyArguments;
 use crate::bar::Bar;
 use crate::demands::met;
+use crate::domain::Parts;
 use crate::failure::Failure;
 use crate::making::read_mesh;
 use crate::mesh::unsolved;
 use crate::standard_output::{print, print_json};
-use mindeg::{Domain, verify};
+use mindeg::verify;
 use mindeg_answers::names::shown;
 use mindeg_answers::verify::VerifyAnswer;
-use mindeg_files::PolygonFile;
 use serde::Serialize;
 
 /// The output of `--json`.
@@ -23,16 +23,9 @@ struct Answers<'a> {
     passed: bool,
 }
 
-/// The domains of a file whose polygons do not all hang together.
-pub(super) fn domains(polygons: &PolygonFile) -> Option<Vec<Domain>> {
-    let (domains, _) = polygons.maps().ok()?;
-    (domains.len() > 1).then_some(domains)
-}
-
 pub(super) fn run(
     arguments: &VerifyArguments,
-    polygons: &PolygonFile,
-    domains: &[Domain],
+    Parts { name, domains }: &Parts,
 ) -> Result<(), Failure> {
     if arguments.proof.is_some() {
         return Err(Failure::input(
@@ -42,7 +35,7 @@ pub(super) fn run(
     let bar = Bar::new(arguments.quiet);
     let mesh = read_mesh(&arguments.file, None, &bar)?;
     let file = arguments.file.display().to_string();
-    let name = shown(polygons.name().unwrap_or("the domain")).into_owned();
+    let name = shown(name.as_deref().unwrap_or("the domain")).into_owned();
     let checked = bar.waiting("matching the parts of the mesh", || {
         verify::triangulations(&mesh, domains, arguments.tolerance)
     });

@@ -9,17 +9,16 @@ mod picture;
 pub use html::write_trade_off_html;
 pub use picture::write_trade_off_svg;
 
-use mindeg::exact::TradeOff;
 use mindeg_answers::trade_off::TradeOffAnswer;
 use std::io::{self, Write};
 
-/// Writes the figures of a trade-off as JSON.
+/// Writes the figures of trade-offs as JSON.
 ///
 /// # Errors
 ///
 /// The errors of `out`.
-pub fn write_trade_off_json(trade_off: &TradeOff, mut out: impl Write) -> io::Result<()> {
-    serde_json::to_writer(&mut out, &TradeOffAnswer::of(trade_off))?;
+pub fn write_trade_off_json(answer: &TradeOffAnswer, mut out: impl Write) -> io::Result<()> {
+    serde_json::to_writer(&mut out, answer)?;
     out.write_all(b"\n")
 }
 
