@@ -28,6 +28,7 @@ mod by_name;
 pub mod check;
 mod connectivity;
 pub mod crossing;
+pub mod distance;
 pub mod ear_clipping;
 pub mod inspection;
 mod mesh;
