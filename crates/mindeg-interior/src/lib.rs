@@ -49,6 +49,13 @@
 //! angle at 0.999 of min(limit, 35 degrees) in the mean and 0.98 at worst. 10^6 triangles take 2.5 s of one core
 //! (the `scale` example).
 //!
+//! # Surfaces in space
+//!
+//! [`remesh`] applies the same operations and trials to a surface: long edges of the surface's own triangles are split, short
+//! ones collapse, degrees become even by flips, vertices move in tangent planes and are projected. Features stay:
+//! vertices on curves move along them, corners do not move. No operation may take the mesh farther from the surface, or
+//! leave samples of the surface farther from the mesh, than the tolerance, unless they were.
+//!
 //! Equal input gives equal bytes on every machine: transcendental functions come from `libm`, orders
 //! are fixed, and one thread does all the work.
 
@@ -91,6 +98,7 @@ mod space;
 mod stage;
 mod star;
 mod start;
+mod surface;
 mod trial;
 mod triangle;
 mod verdict;
@@ -102,3 +110,7 @@ pub use lengths::{CoarseEdge, SizeReport};
 pub use mindeg_domain::{Interior, Prefer, Size, SizeAt};
 pub use options::{InteriorError, Options, check_coordinates};
 pub use report::{CertifiedVertex, CornerTradeOff, InteriorReport, LocalShares, Violation};
+pub use surface::{
+    CornerLimit, OffDegree, RemeshError, RemeshOptions, RemeshReport, Remeshed, RemeshedCurve,
+    remesh,
+};

@@ -1,0 +1,103 @@
+//! Meshes surfaces anew and prints what is reached: models of its own making, or files.
+//!
+//! `cargo run --release --example surfaces [-- NAME|FILE.obj|FILE.off [SIZE]]`; with SURFACES_OUT set, meshes are written
+//! there as OBJ.
+
+mod files;
+mod models;
+
+use glam::DVec3;
+use mindeg_interior::{RemeshOptions, Remeshed, remesh};
+use mindeg_mesh::Progress;
+use mindeg_surfaces::{FeatureRules, Surface};
+use std::fmt::Write;
+use std::time::Instant;
+
+fn main() {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let size = arguments.get(1).and_then(|text| text.parse::<f64>().ok());
+    println!(
+        "{:<14} {:>7} {:>7} {:>22} {:>4} {:>7} {:>5} {:>8} {:>6} {:>7}",
+        "model",
+        "input",
+        "points",
+        "degrees 4- 5 6 7 8+",
+        "off",
+        "angle",
+        "<30",
+        "corners",
+        "far",
+        "s"
+    );
+    let models = match arguments.first() {
+        Some(path) if path.contains('.') => vec![(path.clone(), files::read(path))],
+        wanted => {
+            let all = models::all().into_iter();
+            all.filter(|model| wanted.is_none_or(|name| *name == model.0)).collect()
+        }
+    };
+    for (name, (points, triangles, own)) in models {
+        let surface = match Surface::new(&points, &triangles, &[], &FeatureRules::default()) {
+            Ok(surface) => surface,
+            Err(error) => {
+                println!("{name}: {error}");
+                continue;
+            }
+        };
+        let options = RemeshOptions { size: size.or(own), ..RemeshOptions::default() };
+        let start = Instant::now();
+        match remesh(&surface, &options, Progress::NONE) {
+            Ok(mesh) => print(&name, points.len(), &mesh, start.elapsed().as_secs_f64()),
+            Err(error) => println!("{name}: {error}"),
+        }
+    }
+}
+
+fn print(name: &str, input: usize, mesh: &Remeshed, seconds: f64) {
+    let mut edges: Vec<[u32; 2]> = Vec::new();
+    let mut small = 0;
+    for &[a, b, c] in &mesh.triangles {
+        edges.extend([[a, b], [b, c], [c, a]].map(|[a, b]| [a.min(b), a.max(b)]));
+        small += usize::from(min_angle([a, b, c].map(|v| mesh.points[v as usize])) < 30.0);
+    }
+    edges.sort_unstable();
+    edges.dedup();
+    let mut degrees = vec![0; mesh.points.len()];
+    edges.iter().flatten().for_each(|v| degrees[*v as usize] += 1);
+    let count = |low: i32, high: i32| degrees.iter().filter(|d| (low..=high).contains(*d)).count();
+    let spread =
+        format!("{} {} {} {} {}", count(0, 4), count(5, 5), count(6, 6), count(7, 7), count(8, 99));
+    let report = &mesh.report;
+    let name = name.rsplit('/').next().unwrap_or(name);
+    println!(
+        "{name:<14} {input:>7} {:>7} {spread:>22} {:>4} {:>7.2} {small:>5} {:>8} {:>6} {seconds:>7.2}",
+        mesh.points.len(),
+        report.off_degree.len(),
+        report.min_angle,
+        report.corner_limits.len(),
+        report.far_triangles,
+    );
+    for off in report.off_degree.iter().take(5) {
+        println!("    {off:?}");
+    }
+    if let Some(folder) = std::env::var_os("SURFACES_OUT") {
+        let mut text = String::new();
+        for p in &mesh.points {
+            let _ = writeln!(text, "v {} {} {}", p.x, p.y, p.z);
+        }
+        for [a, b, c] in &mesh.triangles {
+            let _ = writeln!(text, "f {} {} {}", a + 1, b + 1, c + 1);
+        }
+        let path = std::path::Path::new(&folder).join(format!("{name}.obj"));
+        if let Err(error) = std::fs::write(&path, text) {
+            println!("{}: {error}", path.display());
+        }
+    }
+}
+
+fn min_angle([a, b, c]: [DVec3; 3]) -> f64 {
+    let angle = |a: DVec3, b: DVec3, c: DVec3| {
+        libm::atan2((b - a).cross(c - a).length(), (b - a).dot(c - a)).to_degrees()
+    };
+    angle(a, b, c).min(angle(b, c, a)).min(angle(c, a, b))
+}

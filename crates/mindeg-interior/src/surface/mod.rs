@@ -1,0 +1,14 @@
+//! Surfaces in space: a mesh with degrees 5 to 7 that stays near a given surface and keeps its features.
+
+mod guard;
+mod motion;
+mod passes;
+mod reference;
+mod remeshed;
+mod sectors;
+mod work;
+
+pub use remeshed::{
+    CornerLimit, OffDegree, RemeshError, RemeshOptions, RemeshReport, Remeshed, RemeshedCurve,
+    remesh,
+};

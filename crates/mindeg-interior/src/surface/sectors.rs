@@ -1,0 +1,122 @@
+//! The degrees that vertices on features may have: in each sector between two curves, and in all.
+
+use crate::array_mesh::{ArrayMesh, Kind};
+use crate::surface::reference::{CurveLabel, OnSurface};
+use glam::DVec3;
+use std::ops::RangeInclusive;
+
+/// The triangles of a vertex between two edges that are parts of curves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct SurfaceSector {
+    /// The sum of their angles, in degrees.
+    pub(crate) angle: f64,
+    pub(crate) triangles: u32,
+}
+
+/// The sectors of a vertex.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct Sectors {
+    pub(crate) sectors: Vec<SurfaceSector>,
+    /// True if the vertex is not on the boundary.
+    pub(crate) is_closed: bool,
+}
+
+/// A good angle at a corner is at least this, in degrees: more triangles do not fit into a sector.
+const LEAST_ANGLE: f64 = 28.0;
+/// The greatest angle that a sector's triangles should have, in degrees.
+const GREATEST_ANGLE: f64 = 100.0;
+
+impl SurfaceSector {
+    /// How many triangles it may have at a corner.
+    fn range(&self) -> RangeInclusive<u32> {
+        let least = libm::ceil(self.angle / GREATEST_ANGLE - 0.05).max(1.0);
+        let ideal = libm::round(self.angle / 60.0) + 1.0;
+        let most = ideal.min(libm::floor(self.angle / LEAST_ANGLE)).max(least);
+        least as u32..=most as u32
+    }
+
+    /// The same on a curve, which turns little.
+    fn range_on_curve(&self) -> RangeInclusive<u32> {
+        let least = if self.angle < 115.0 { 1 } else { 2 };
+        let most = if self.angle > 230.0 { 5 } else { 4 };
+        least..=most
+    }
+}
+
+impl Sectors {
+    /// The sectors of a vertex as they are in the mesh.
+    pub(crate) fn of(mesh: &ArrayMesh<OnSurface<'_>>, vertex: u32) -> Self {
+        let mut star = Vec::new();
+        let is_closed = mesh.star(vertex, &mut star);
+        // The label of the edge before each triangle.
+        let before = |t: u32| {
+            let triangle = &mesh.triangles[t as usize];
+            triangle.labels[(triangle.corner(vertex) + 2) % 3] != CurveLabel::default()
+        };
+        let first = star.iter().position(|t| before(*t)).unwrap_or(0);
+        star.rotate_left(first);
+        let mut sectors: Vec<SurfaceSector> = Vec::new();
+        for (i, t) in star.iter().enumerate() {
+            if i == 0 || before(*t) {
+                sectors.push(SurfaceSector { angle: 0.0, triangles: 0 });
+            }
+            let corner = mesh.triangles[*t as usize].corner(vertex);
+            let corners = mesh.corners(*t);
+            let [x, a, b] = [0, 1, 2].map(|i| corners[(corner + i) % 3]);
+            let last = sectors.len() - 1;
+            sectors[last].angle += angle(a - x, b - x);
+            sectors[last].triangles += 1;
+        }
+        Self { sectors, is_closed }
+    }
+
+    /// By how much the numbers of triangles are out of their ranges, and how far from the best ones.
+    pub(crate) fn degree(&self, kind: Kind, interior: &RangeInclusive<u32>) -> (u32, f64) {
+        let (mut excess, mut soft) = (0, 0.0);
+        for sector in &self.sectors {
+            let range = if kind == Kind::Curve { sector.range_on_curve() } else { sector.range() };
+            excess += beyond(sector.triangles, &range);
+            let off = (f64::from(sector.triangles) - sector.angle / 60.0).abs() - 0.5;
+            soft += off.max(0.0);
+        }
+        if self.is_closed {
+            let total = self.sectors.iter().map(|sector| sector.triangles).sum();
+            excess += beyond(total, &self.total(kind, interior));
+        }
+        (excess, soft)
+    }
+
+    /// No mesh has a greater minimum angle in these sectors, in degrees: each has the best number of equal angles.
+    pub(crate) fn limit(&self) -> f64 {
+        let of_count = |angle: f64, n: u32| {
+            let share = angle / f64::from(n);
+            share.min(90.0 - 0.5 * share)
+        };
+        let of_sector = |sector: &SurfaceSector| {
+            let most = libm::ceil(sector.angle / 30.0).max(1.0) as u32;
+            (1..=most).map(|n| of_count(sector.angle, n)).fold(0.0, f64::max)
+        };
+        self.sectors.iter().map(of_sector).fold(60.0, f64::min)
+    }
+
+    /// How many triangles a vertex may have that is not on the boundary.
+    pub(crate) fn total(&self, kind: Kind, interior: &RangeInclusive<u32>) -> RangeInclusive<u32> {
+        if kind == Kind::Curve {
+            return interior.clone();
+        }
+        let fit = |sector: &SurfaceSector| libm::floor(sector.angle / 35.0).max(1.0) as u32;
+        let fitting: u32 = self.sectors.iter().map(fit).sum();
+        let needed: u32 = self.sectors.iter().map(|sector| *sector.range().start()).sum();
+        let least = (*interior.start()).min(fitting).max(3);
+        least..=(*interior.end()).max(needed)
+    }
+}
+
+fn beyond(count: u32, range: &RangeInclusive<u32>) -> u32 {
+    count.saturating_sub(*range.end()).max(range.start().saturating_sub(count))
+}
+
+/// The angle between two vectors, in degrees.
+pub(crate) fn angle(a: DVec3, b: DVec3) -> f64 {
+    libm::atan2(a.cross(b).length(), a.dot(b)).to_degrees()
+}

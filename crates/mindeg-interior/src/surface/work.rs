@@ -1,0 +1,75 @@
+//! The mesh that work begins with, which is the reference itself, and what is left of it at the end.
+
+use crate::array_mesh::{ArrayMesh, Kind, NONE, Vertex};
+use crate::goal::{Goal, Weights};
+use crate::surface::reference::{CurveLabel, On, OnSurface, Reference, Site};
+use crate::surface::sectors::Sectors;
+use glam::DVec3;
+use mindeg_surfaces::Spot;
+
+/// A mesh on a surface.
+pub(crate) type SurfaceMesh<'a> = ArrayMesh<OnSurface<'a>>;
+
+/// The reference as a mesh, whose corners know their limits.
+pub(crate) fn work_mesh<'a>(
+    reference: &'a Reference,
+    weights: &Weights,
+) -> Result<SurfaceMesh<'a>, String> {
+    let surface = &reference.surface;
+    let mut corner_of = vec![(NONE, 0); surface.points().len()];
+    for (t, corners) in (0_u32..).zip(surface.triangles()) {
+        (0..3).for_each(|i| corner_of[corners[i] as usize] = (t, i));
+    }
+    let vertex = |(v, at): (u32, &DVec3)| {
+        let (near, i) = corner_of[v as usize];
+        let (kind, on, normal) = match surface.spot(v) {
+            Spot::Inside { patch } => {
+                (Kind::Free, On::Patch(patch), surface.corner_normal(near, i))
+            }
+            Spot::Curve { curve, t } => (Kind::Curve, On::Curve { curve, t }, DVec3::ZERO),
+            Spot::Corner => (Kind::Fixed, On::Corner(v), DVec3::ZERO),
+        };
+        let site = Site { at: *at, normal, near, on };
+        let size = surface.size(v);
+        Vertex { at: site, size, anchor: NONE, goal: NONE, triangles: 0, kind }
+    };
+    let vertices = (0..).zip(surface.points()).map(vertex).collect();
+    let patches: Vec<u32> =
+        (0..surface.triangles().len() as u32).map(|t| surface.patch(t)).collect();
+    let space = OnSurface(reference);
+    let mut mesh = ArrayMesh::linked(space, vertices, surface.triangles(), &patches, Vec::new())?;
+    for t in 0..mesh.triangles.len() {
+        for i in 0..3 {
+            if let Some(span) = surface.span(t as u32, i) {
+                mesh.triangles[t].labels[i] = CurveLabel(span.curve);
+            }
+        }
+    }
+    for v in 0..mesh.vertices.len() as u32 {
+        if mesh.vertices[v as usize].kind == Kind::Fixed {
+            let limit = Sectors::of(&mesh, v).limit();
+            mesh.vertices[v as usize].goal = mesh.goals.len() as u32;
+            mesh.goals.push(Goal { limit, ..weights.goal_inside() }.aimed());
+        }
+    }
+    Ok(mesh)
+}
+
+/// The same mesh without what is dead.
+pub(crate) fn compacted<'a>(mesh: &SurfaceMesh<'a>) -> Result<SurfaceMesh<'a>, String> {
+    let mut renamed = vec![NONE; mesh.vertices.len()];
+    let mut vertices = Vec::new();
+    for (v, vertex) in mesh.vertices.iter().enumerate().filter(|(_, v)| v.triangles > 0) {
+        renamed[v] = vertices.len() as u32;
+        vertices.push(Vertex { anchor: NONE, triangles: 0, ..*vertex });
+    }
+    let alive = || mesh.triangles.iter().filter(|t| t.is_alive());
+    let triangles: Vec<[u32; 3]> =
+        alive().map(|t| t.vertices.map(|v| renamed[v as usize])).collect();
+    let patches: Vec<u32> = alive().map(|t| t.patch).collect();
+    let mut other =
+        ArrayMesh::linked(mesh.space, vertices, &triangles, &patches, mesh.goals.clone())?;
+    let labels: Vec<[CurveLabel; 3]> = alive().map(|t| t.labels).collect();
+    other.triangles.iter_mut().zip(labels).for_each(|(t, labels)| t.labels = labels);
+    Ok(other)
+}
