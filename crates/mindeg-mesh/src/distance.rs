@@ -336,9 +336,10 @@ fn cut(piece: &[DVec3], point: DVec3, normal: DVec3, fine: f64) -> [Piece; 2] {
     parts.map(without_repeats)
 }
 
-/// The distance from a point to a triangle: to a point of it, so that rounding in a narrow triangle never makes it
-/// too small.
-fn distance_to(point: DVec3, triangle: &[DVec3; 3]) -> f64 {
+/// The distance from a point to a triangle, or to a segment or point given as one.
+///
+/// It is the distance to a point of the triangle, so rounding in a narrow triangle never makes it too small.
+pub fn distance_to(point: DVec3, triangle: &[DVec3; 3]) -> f64 {
     let [a, b, c] = *triangle;
     let to_edge = |from: DVec3, to: DVec3| {
         let edge = to - from;

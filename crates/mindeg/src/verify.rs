@@ -22,7 +22,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Limits: a mesh lies in the plane of x and y, or on the floor, the plane of x and z.
+//! [`surface()`] compares a remesh with the part that it was made from.
+//!
+//! Limits: a mesh of a domain lies in the plane of x and y, or on the floor, the plane of x and z.
 
 mod defect;
 mod fault;
@@ -33,6 +35,8 @@ mod near;
 mod optimality;
 mod parts;
 mod proof;
+mod sides;
+mod surface;
 mod triangulation;
 
 pub use defect::MeshDefect;
@@ -40,4 +44,5 @@ pub use matching::{DEFAULT_TOLERANCE, MatchedPlane, VerifiedMesh};
 pub use optimality::{Optimality, checked_proof, optimality, optimality_by};
 pub use parts::triangulations;
 pub use proof::Proof;
+pub use surface::{SurfaceRules, VerifiedSurface, surface};
 pub use triangulation::triangulation;

@@ -1,6 +1,6 @@
 //! The defects that keep a mesh from being a triangulation of a domain, in words.
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 /// Why a mesh is not a triangulation of a domain. Vertices and triangles have the indices of the mesh, from
 /// 0; boundary points those of the domain, from 0.
@@ -48,4 +48,9 @@ pub(super) fn short(value: f64) -> String {
 /// A point of the domain's plane.
 pub(super) fn at(point: DVec2) -> String {
     format!("({}, {})", short(point.x), short(point.y))
+}
+
+/// A point in space.
+pub(super) fn in_space(place: DVec3) -> String {
+    format!("({}, {}, {})", short(place.x), short(place.y), short(place.z))
 }

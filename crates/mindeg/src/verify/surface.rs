@@ -1,0 +1,360 @@
+//! Whether a mesh is a remesh of a part: its degrees, its distance from the part, and what it must keep.
+//!
+//! Nothing here is shared with what makes such meshes: topology is that of [`mindeg_mesh::inspection`], distances are
+//! bounded by [`mindeg_mesh::distance`], crossings found by [`mindeg_mesh::crossing`].
+
+use std::ops::RangeInclusive;
+
+use glam::DVec3;
+use mindeg_mesh::crossing::crossings;
+use mindeg_mesh::distance::{DistanceBound, distance_bound, distance_to};
+use mindeg_mesh::inspection::{Inspection, InspectionOptions, VertexDegree};
+use mindeg_mesh::parallel::map_chunks;
+use mindeg_mesh::quality::TriangleQuality;
+use mindeg_mesh::{Bounds, BoxTree, Cancelled, Progress, TriMesh};
+
+use super::defect::{MeshDefect, in_space, short};
+use super::sides::{Sides, check_kept};
+
+/// Distances below this share of the part's diagonal count as none.
+const NOTHING: f64 = 1e-8;
+
+/// What a mesh must keep of a part.
+///
+/// # Example
+///
+/// ```
+/// use mindeg::verify::SurfaceRules;
+///
+/// let rules = SurfaceRules::within(0.25);
+/// assert_eq!((rules.inside, rules.boundary_degree), (5..=7, 5));
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct SurfaceRules {
+    /// How far a point of one surface may be from the other, in units of length. Distances below a hundred-millionth of
+    /// the part's diagonal count as none.
+    pub tolerance: f64,
+    /// The degrees of vertices off the boundary.
+    pub inside: RangeInclusive<u32>,
+    /// The most edges at a vertex on the boundary.
+    pub boundary_degree: u32,
+    /// Edges of the part that turn by more than this angle, in degrees, must have edges of the mesh within the
+    /// tolerance that turn by more than half of it; `None` demands nothing of sharp edges.
+    pub feature_angle: Option<f64>,
+    /// Whether the edges of the boundary must be those of the part, bit for bit.
+    pub keep_boundary: bool,
+    /// Whether the sharp edges of the part must be edges of the mesh, bit for bit. Takes a `feature_angle`.
+    pub keep_features: bool,
+}
+
+impl SurfaceRules {
+    /// Degrees 5 to 7, at most 5 on the boundary, and a tolerance both ways.
+    #[must_use]
+    pub fn within(tolerance: f64) -> Self {
+        Self {
+            tolerance,
+            inside: 5..=7,
+            boundary_degree: 5,
+            feature_angle: None,
+            keep_boundary: false,
+            keep_features: false,
+        }
+    }
+}
+
+/// The figures of a mesh beside the part it was made from. Vertices and triangles have the indices of the mesh.
+#[derive(Clone, Debug, PartialEq)]
+pub struct VerifiedSurface {
+    /// The number of vertices that triangles use; those in one place count as one.
+    pub vertices: usize,
+    /// The number of triangles.
+    pub triangles: usize,
+    /// The least and greatest degree off the boundary; `None` without such a vertex.
+    pub inside: Option<[u32; 2]>,
+    /// The least and greatest degree on the boundary.
+    pub boundary: Option<[u32; 2]>,
+    /// The vertices with another degree than the rules ask for, ascending.
+    pub out_of_range: Vec<VertexDegree>,
+    /// The minimum angle, in degrees, and its triangle.
+    pub min_angle: (f64, u32),
+    /// How far points of the mesh are from the part.
+    pub to_part: DistanceBound,
+    /// How far points of the part are from the mesh.
+    pub from_part: DistanceBound,
+    /// The same for their boundaries, if one of them has a boundary: from the mesh's, and from the part's.
+    pub boundaries: Option<[DistanceBound; 2]>,
+    /// How far sharp edges of the part are from sharp edges of the mesh, if the rules ask.
+    pub features: Option<DistanceBound>,
+    /// Pairs of triangles that cross; if the part has some, too, they are no defect.
+    pub crossings: Vec<[u32; 2]>,
+    /// The number of triangles of the part that cross others.
+    pub part_crossings: usize,
+    /// All that is wrong; empty if the mesh keeps every rule.
+    pub defects: Vec<MeshDefect>,
+}
+
+/// Compares a mesh with a part.
+///
+/// Distances are bounds that hold for all points, not for samples; a distance whose lower bound keeps the tolerance and
+/// whose upper bound does not counts as too large. O(n log n) for meshes near the part; shared by all threads.
+///
+/// # Errors
+///
+/// [`Cancelled`], if the callback breaks.
+///
+/// # Example
+///
+/// ```
+/// use mindeg::verify::{self, SurfaceRules};
+/// use mindeg::{Progress, TriMesh, glam::DVec3};
+///
+/// let points = vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
+/// let part = TriMesh::new(points, vec![[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])?;
+/// let rules = SurfaceRules { inside: 3..=7, ..SurfaceRules::within(0.0) };
+/// let found = verify::surface(&part, &part, &rules, Progress::NONE)?;
+/// assert_eq!((found.inside, found.defects.len()), (Some([3, 3]), 0));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn surface(
+    mesh: &TriMesh,
+    part: &TriMesh,
+    rules: &SurfaceRules,
+    progress: Progress<'_>,
+) -> Result<VerifiedSurface, Cancelled> {
+    let is_single = mesh.rounding() > 2.0 * f64::EPSILON * largest(mesh);
+    let part = &Sides::of(part);
+    let own = &Sides::of(mesh);
+    let tolerance = rules.tolerance
+        + NOTHING
+            * Bounds::of_space(part.corners.iter().flatten().copied())
+                .map_or(0.0, |bounds| bounds.size().length());
+    let mut defects = Vec::new();
+    let inspection = Inspection::of(&own.mesh, &InspectionOptions::default());
+    check_topology(&inspection, &mut defects);
+    let degrees = Degrees::of(own, rules);
+    degrees.check(own, rules, &mut defects);
+
+    let to_part = distance_bound(&own.corners, &part.corners, progress)?;
+    let from_part = distance_bound(&part.corners, &own.corners, progress)?;
+    let mut check = |kind, what: &str, bound: &DistanceBound| {
+        if bound.upper > tolerance {
+            let place = in_space(bound.place);
+            let message = match bound.lower > tolerance {
+                true => format!(
+                    "{what} by {}, at {place}; the tolerance is {}",
+                    short(bound.lower),
+                    short(rules.tolerance)
+                ),
+                false => format!(
+                    "{what} by at most {}, near {place}; that it keeps the tolerance of {} is not proven",
+                    short(bound.upper),
+                    short(rules.tolerance)
+                ),
+            };
+            defects.push(MeshDefect::new(kind, message));
+        }
+    };
+    check("distance", "the mesh is off the part", &to_part);
+    check("distance_from_part", "the part is off the mesh", &from_part);
+    let boundaries = match own.boundary.is_empty() && part.boundary.is_empty() {
+        true => None,
+        false => {
+            let [own, part] = [own, part].map(|sides| sides.segments(&sides.boundary));
+            let there = distance_bound(&own, &part, progress)?;
+            let back = distance_bound(&part, &own, progress)?;
+            check("boundary", "the boundary of the mesh is off that of the part", &there);
+            check("boundary", "the boundary of the part is off that of the mesh", &back);
+            Some([there, back])
+        }
+    };
+    let features = match rules.feature_angle {
+        Some(angle) => {
+            let [sharp, found] = [part.sharp(angle), own.sharp(0.5 * angle)];
+            let bound = distance_bound(&part.segments(&sharp), &own.segments(&found), progress)?;
+            check("features", "sharp edges of the part are off those of the mesh", &bound);
+            if rules.keep_features {
+                check_kept(
+                    "features_changed",
+                    "sharp edges",
+                    [part, own],
+                    [&sharp, &own.edges],
+                    is_single,
+                    &mut defects,
+                );
+            }
+            Some(bound)
+        }
+        None => None,
+    };
+    if rules.keep_boundary {
+        let kind = "boundary_changed";
+        check_kept(
+            kind,
+            "boundary edges",
+            [part, own],
+            [&part.boundary, &own.boundary],
+            is_single,
+            &mut defects,
+        );
+        if own.boundary.len() > part.boundary.len() {
+            let message = format!(
+                "the mesh has {} boundary edges, the part {}",
+                own.boundary.len(),
+                part.boundary.len()
+            );
+            defects.push(MeshDefect::new(kind, message));
+        }
+    }
+    check_flips(own, part, tolerance, &mut defects);
+    let [crossed, part_crossings] = [own, part].map(|sides| {
+        crossings(sides.mesh.positions(), sides.mesh.triangles(), 0..sides.corners.len() as u32)
+    });
+    if let (Some([a, b]), true) = (crossed.first(), part_crossings.is_empty()) {
+        let message = format!(
+            "{} triangles cross others, the first are {a} and {b}; no triangles of the part do",
+            crossed.len()
+        );
+        defects.push(MeshDefect::new("crossing", message));
+    }
+    Ok(VerifiedSurface {
+        vertices: degrees.vertices,
+        triangles: own.corners.len(),
+        inside: degrees.inside,
+        boundary: degrees.boundary,
+        out_of_range: degrees.out_of_range,
+        min_angle: min_angle(own),
+        to_part,
+        from_part,
+        boundaries,
+        features,
+        crossings: crossed,
+        part_crossings: part_crossings.len(),
+        defects,
+    })
+}
+
+fn largest(mesh: &TriMesh) -> f64 {
+    mesh.positions().iter().map(|p| p.abs().max_element()).fold(0.0, f64::max)
+}
+
+fn check_topology(inspection: &Inspection, defects: &mut Vec<MeshDefect>) {
+    let mut defect = |kind, count: usize, what: &str| {
+        if count > 0 {
+            defects.push(MeshDefect::new(kind, format!("{count} {what}")));
+        }
+    };
+    let edge = |edges: &[[u32; 2]]| match edges {
+        [] => String::new(),
+        [[a, b], ..] => format!(", the first at vertices {a} and {b}"),
+    };
+    let first = |items: &[u32]| {
+        items.first().map_or(String::new(), |item| format!(", the first is {item}"))
+    };
+    let Inspection { non_manifold_edges, inconsistent_edges, .. } = inspection;
+    let what = format!("edges have three triangles or more{}", edge(non_manifold_edges));
+    defect("not_manifold", non_manifold_edges.len(), &what);
+    let fans = &inspection.non_manifold_vertices;
+    defect("not_manifold", fans.len(), &format!("vertices have several fans{}", first(fans)));
+    let what = format!("edges have triangles that face opposite ways{}", edge(inconsistent_edges));
+    defect("inconsistent", inconsistent_edges.len(), &what);
+    let flat = &inspection.zero_area_triangles;
+    defect("no_area", flat.len(), &format!("triangles have no area{}", first(flat)));
+}
+
+/// The degrees of a mesh.
+struct Degrees {
+    /// The vertices with an edge.
+    vertices: usize,
+    inside: Option<[u32; 2]>,
+    boundary: Option<[u32; 2]>,
+    out_of_range: Vec<VertexDegree>,
+}
+
+impl Degrees {
+    fn of(sides: &Sides, rules: &SurfaceRules) -> Self {
+        let mut on_boundary = vec![false; sides.mesh.positions().len()];
+        sides.boundary.iter().flatten().for_each(|&v| on_boundary[v as usize] = true);
+        let mut degrees = vec![0_u32; on_boundary.len()];
+        sides.edges.iter().flatten().for_each(|&v| degrees[v as usize] += 1);
+        let mut found =
+            Self { vertices: 0, inside: None, boundary: None, out_of_range: Vec::new() };
+        for ((vertex, degree), on_boundary) in (0..).zip(degrees).zip(on_boundary) {
+            if degree == 0 {
+                continue;
+            }
+            found.vertices += 1;
+            let range = if on_boundary { &mut found.boundary } else { &mut found.inside };
+            let [least, most] = range.unwrap_or([degree; 2]);
+            *range = Some([least.min(degree), most.max(degree)]);
+            let is_good = match on_boundary {
+                true => degree <= rules.boundary_degree,
+                false => rules.inside.contains(&degree),
+            };
+            if !is_good {
+                found.out_of_range.push(VertexDegree { vertex, degree, on_boundary });
+            }
+        }
+        found
+    }
+
+    fn check(&self, sides: &Sides, rules: &SurfaceRules, defects: &mut Vec<MeshDefect>) {
+        for on_boundary in [false, true] {
+            let of_kind = || self.out_of_range.iter().filter(|v| v.on_boundary == on_boundary);
+            let Some(VertexDegree { vertex, degree, .. }) = of_kind().next() else { continue };
+            let (place, range) = match on_boundary {
+                true => ("on the boundary", format!("at most {}", rules.boundary_degree)),
+                false => (
+                    "off the boundary",
+                    format!("{} to {}", rules.inside.start(), rules.inside.end()),
+                ),
+            };
+            let message = format!(
+                "{} vertices {place} have another degree than {range}, the first is vertex {vertex} with {degree}, at {}",
+                of_kind().count(),
+                in_space(sides.mesh.positions()[*vertex as usize])
+            );
+            defects.push(MeshDefect::new("degree", message));
+        }
+    }
+}
+
+/// A triangle is turned over if no triangle of the part near its middle faces the same way.
+fn check_flips(own: &Sides, part: &Sides, tolerance: f64, defects: &mut Vec<MeshDefect>) {
+    let around = |&[a, b, c]: &[DVec3; 3]| Bounds { min: a.min(b).min(c), max: a.max(b).max(c) };
+    let tree = BoxTree::new(part.corners.iter().map(around).collect());
+    let normal = |&[a, b, c]: &[DVec3; 3]| (b - a).cross(c - a);
+    let found = map_chunks(0..own.corners.len(), 256, |chunk| {
+        let mut near = Vec::new();
+        let is_flipped = |t: &usize| {
+            let [a, b, c] = own.corners[*t];
+            let middle = (a + b + c) / 3.0;
+            let distance = |other: u32| distance_to(middle, &part.corners[other as usize]);
+            let nearest =
+                tree.nearest(middle, f64::INFINITY, |other| distance(other) * distance(other));
+            let reach =
+                tolerance.max(nearest.map_or(0.0, |(_, squared)| squared.sqrt()) * (1.0 + 1e-9));
+            near.clear();
+            let reach = DVec3::splat(reach);
+            tree.meet(Bounds { min: middle - reach, max: middle + reach }, &mut near);
+            let faces = |other: &u32| {
+                normal(&own.corners[*t]).dot(normal(&part.corners[*other as usize])) > 0.0
+            };
+            !near.iter().any(|other| distance(*other) <= reach.x && faces(other))
+        };
+        chunk.filter(is_flipped).collect::<Vec<usize>>()
+    });
+    let flipped = found.concat();
+    if let Some(first) = flipped.first() {
+        let count = flipped.len();
+        let message = format!("{count} triangles are turned over, the first is {first}");
+        defects.push(MeshDefect::new("turned_over", message));
+    }
+}
+
+/// The minimum angle and its triangle.
+fn min_angle(sides: &Sides) -> (f64, u32) {
+    let angles = (0_u32..)
+        .zip(&sides.corners)
+        .map(|(t, &[a, b, c])| (TriangleQuality::in_space(a, b, c).min_angle, t));
+    angles.reduce(|a, b| if b.0 < a.0 { b } else { a }).unwrap_or((0.0, 0))
+}
