@@ -40,6 +40,7 @@ mod polygons;
 mod progress;
 #[cfg(target_os = "linux")]
 mod refused_outputs;
+mod remesh;
 mod run;
 mod slips;
 mod suggest;

@@ -35,5 +35,6 @@ pub mod preset;
 pub mod proof;
 pub mod sizes;
 pub mod suggest;
+pub mod surface;
 pub mod trade_off;
 pub mod verify;

@@ -1,6 +1,7 @@
 //! `mindeg verify`: whether a mesh is a triangulation of a domain, and how good it is.
 
 mod parts;
+mod surface;
 
 use crate::args::VerifyArguments;
 use crate::bar::Bar;
@@ -20,7 +21,11 @@ use std::path::Path;
 
 pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Failure> {
     clean_up_on_interrupt()?;
+    if let Some(part) = &arguments.surface.surface {
+        return surface::run(arguments, part);
+    }
     check_order(arguments)?;
+    let tolerance = arguments.matching_tolerance()?;
     let domain = match &arguments.domain {
         Some(path) => {
             let mut parts =
@@ -37,7 +42,7 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Failure> {
     let mesh = read_mesh(&arguments.file, None, &bar)?;
     let file = arguments.file.display().to_string();
     let checked = bar.waiting("matching the mesh to the domain", || {
-        verify::triangulation(&mesh, &domain, arguments.tolerance)
+        verify::triangulation(&mesh, &domain, tolerance)
     });
     let verified = match checked {
         Ok(verified) => verified,

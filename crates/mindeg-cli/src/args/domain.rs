@@ -1,6 +1,6 @@
 //! The options that describe a domain.
 
-use super::values::{Corners, IntervalCounts, RectangleSize, length};
+use super::values::{Corners, IntervalCounts, RectangleSize, angle, length};
 use crate::failure::Failure;
 use clap::Args;
 use mindeg::Spacing;
@@ -115,14 +115,6 @@ impl OutlineOptions {
             "{option} is for outlines such as GeoJSON or SVG; {file} is a domain in JSON"
         )))
     }
-}
-
-/// An angle from 0 to 180 degrees.
-fn angle(text: &str) -> Result<f64, String> {
-    let angle = text.trim().trim_end_matches('°').parse().ok();
-    angle
-        .filter(|angle| (0.0..=180.0).contains(angle))
-        .ok_or_else(|| "give an angle from 0 to 180 degrees, such as 30".to_owned())
 }
 
 fn spacing(text: &str) -> Result<Spacing, String> {

@@ -109,6 +109,14 @@ pub(crate) fn length(text: &str) -> Result<f64, String> {
         .ok_or_else(|| with_decimal_hint(text, "give a length above 0, such as 0.5"))
 }
 
+/// An angle from 0 to 180 degrees.
+pub(super) fn angle(text: &str) -> Result<f64, String> {
+    let angle = text.trim().trim_end_matches('°').parse().ok();
+    angle
+        .filter(|angle| (0.0..=180.0).contains(angle))
+        .ok_or_else(|| "give an angle from 0 to 180 degrees, such as 30".to_owned())
+}
+
 /// A minimum angle.
 pub(super) fn target_angle(text: &str) -> Result<f64, String> {
     let number = text.trim().trim_end_matches('°');

@@ -2,8 +2,10 @@
 
 use super::demands::DemandArguments;
 use super::domain::DomainOptions;
-use super::values::mesh_help;
+use super::tolerance::Tolerance;
+use super::values::{angle, mesh_help};
 use super::with_exit_codes;
+use crate::failure::Failure;
 use clap::Args;
 use mindeg::Goal;
 use mindeg_answers::verify::VerifyDemands;
@@ -13,7 +15,8 @@ const EXAMPLES: &str = "\
 Examples:
   mindeg verify wing-panel.obj assets/domains/wing-panel.json
   mindeg verify from-blender.glb assets/domains/wing-panel.json --max-degree 6 --keep-angle 95%
-  mindeg verify plate.stl --rectangle 4x3 --size 0.5 --optimal --json";
+  mindeg verify plate.stl --rectangle 4x3 --size 0.5 --optimal --json
+  mindeg verify remeshed.stl --surface part.stl --tolerance 0.3% --feature-angle 40";
 
 /// Check that a mesh of any program is a triangulation of a domain, and whether its maximum degree is
 /// the least
@@ -23,6 +26,10 @@ Examples:
 /// possible (with the proof checked by code that has no part in making meshes), the minimum angle and its share of the largest
 /// possible. The mesh lies in x and y, or in x and z. Ends with exit code 3 if the mesh is no triangulation, or fails
 /// one of the options --max-degree, --target-angle, --keep-angle, --optimal and --preset, or a degree limit of the domain.
+///
+/// With --surface, the mesh is a remesh in space: all vertices off the boundary have 5 to 7 edges, those on it at most 5, no
+/// point of one surface is farther from the other than --tolerance (a bound that is proven, not sampled), boundaries
+/// likewise, the surface is manifold, and no triangle is turned over or crosses another unless the part has crossings.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES, after_long_help = with_exit_codes(EXAMPLES))]
 pub(crate) struct VerifyArguments {
@@ -37,11 +44,15 @@ pub(crate) struct VerifyArguments {
     #[command(flatten)]
     pub(crate) options: DomainOptions,
 
+    #[command(flatten)]
+    pub(crate) surface: SurfaceRuleArguments,
+
     /// How far a vertex may be from its boundary point, in the domain's unit of length. By default a
     /// millionth of the domain's extent, or what 32-bit floats round, whichever is larger; at most a
-    /// quarter of the shortest interval
-    #[arg(long, value_name = "LENGTH", value_parser = tolerance, allow_hyphen_values = true)]
-    pub(crate) tolerance: Option<f64>,
+    /// quarter of the shortest interval. With --surface how far the surfaces may be apart, also as a share of
+    /// the part's diagonal; 0.3% by default
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    pub(crate) tolerance: Option<Tolerance>,
 
     /// Fail if the minimum angle is less than this share of the largest possible, such as 95% or 0.95:
     /// Delaunay's, or with interior points the limit that the boundary sets
@@ -59,7 +70,9 @@ pub(crate) struct VerifyArguments {
     /// Print JSON: file, domain, valid, defect, plane, reversed, tolerance, farthest, boundary_vertices,
     /// given_points, interior_points, unreferenced_vertices, triangles, max_degree, max_degree_vertex, out_of_range,
     /// certified, optimal, proof, reason, smaller_degree, min_angle, max_angle, min_angle_triangle, angle_limit, share_of_limit,
-    /// failed, passed; for several domains file, valid, parts, failed, passed
+    /// failed, passed; for several domains file, valid, parts, failed, passed; with --surface file, part, valid, defects,
+    /// vertices, triangles, degrees, boundary_degrees, out_of_range, min_angle, min_angle_triangle, tolerance, diagonal,
+    /// to_part, from_part, boundary_to_part, boundary_from_part, features_from_part, crossings, part_crossings, failed, passed
     #[arg(long)]
     pub(crate) json: bool,
 
@@ -80,11 +93,38 @@ impl VerifyArguments {
             optimal: self.optimal,
         }
     }
+
+    /// How far a vertex may be from its boundary point.
+    pub(crate) fn matching_tolerance(&self) -> Result<Option<f64>, Failure> {
+        match self.tolerance {
+            None => Ok(None),
+            Some(Tolerance::Length(length)) => Ok(Some(length)),
+            Some(Tolerance::Share(_)) => Err(Failure::input(
+                "--tolerance takes a share with --surface alone; give a length, such as 1e-6",
+            )),
+        }
+    }
 }
 
-fn tolerance(text: &str) -> Result<f64, String> {
-    let tolerance = text.trim().parse().ok();
-    tolerance
-        .filter(|tolerance: &f64| *tolerance >= 0.0 && tolerance.is_finite())
-        .ok_or_else(|| "give a length, 0 or more, such as 1e-6".to_owned())
+/// The surface that a mesh must keep.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Surface")]
+pub(crate) struct SurfaceRuleArguments {
+    /// The part that the mesh was made from, in any format that mindeg reads, instead of a domain
+    #[arg(long, value_name = "PART", conflicts_with_all = [
+        "domain", "rectangle", "corners", "intervals", "size", "spacing", "keep_angle", "optimal", "proof"
+    ])]
+    pub(crate) surface: Option<PathBuf>,
+
+    /// Edges of the part that turn by more than this many degrees must have sharp edges of the mesh within the tolerance
+    #[arg(long, value_name = "ANGLE", value_parser = angle, requires = "surface", allow_hyphen_values = true)]
+    pub(crate) feature_angle: Option<f64>,
+
+    /// The boundary edges of the part must be those of the mesh, bit for bit
+    #[arg(long, requires = "surface")]
+    pub(crate) keep_boundary: bool,
+
+    /// The sharp edges of the part must be edges of the mesh, bit for bit; 40 degrees without --feature-angle
+    #[arg(long, requires = "surface")]
+    pub(crate) keep_features: bool,
 }

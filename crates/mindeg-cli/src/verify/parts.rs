@@ -32,12 +32,13 @@ pub(super) fn run(
             "--proof: a file holds the proof of one domain; choose one with --feature",
         ));
     }
+    let tolerance = arguments.matching_tolerance()?;
     let bar = Bar::new(arguments.quiet);
     let mesh = read_mesh(&arguments.file, None, &bar)?;
     let file = arguments.file.display().to_string();
     let name = shown(name.as_deref().unwrap_or("the domain")).into_owned();
     let checked = bar.waiting("matching the parts of the mesh", || {
-        verify::triangulations(&mesh, domains, arguments.tolerance)
+        verify::triangulations(&mesh, domains, tolerance)
     });
     let verified = match checked {
         Ok(verified) => verified,
