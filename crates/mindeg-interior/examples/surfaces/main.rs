@@ -47,7 +47,14 @@ fn main() {
         let options = RemeshOptions { size: size.or(own), ..RemeshOptions::default() };
         let start = Instant::now();
         match remesh(&surface, &options, Progress::NONE) {
-            Ok(mesh) => print(&name, points.len(), &mesh, start.elapsed().as_secs_f64()),
+            Ok(mesh) => {
+                print(&name, points.len(), &mesh, start.elapsed().as_secs_f64());
+                let there = farthest((&mesh.points, &mesh.triangles), (&points, &triangles));
+                let back = farthest((&points, &triangles), (&mesh.points, &mesh.triangles));
+                println!(
+                    "    farthest samples, % of the diagonal: {there:.3} there, {back:.3} back"
+                );
+            }
             Err(error) => println!("{name}: {error}"),
         }
     }
@@ -77,6 +84,9 @@ fn print(name: &str, input: usize, mesh: &Remeshed, seconds: f64) {
         report.corner_limits.len(),
         report.far_triangles,
     );
+    if report.min_angle < 30.0 {
+        println!("    {} {:?}", report.min_angle_at, report.corner_limits.first());
+    }
     for off in report.off_degree.iter().take(5) {
         println!("    {off:?}");
     }
@@ -93,6 +103,24 @@ fn print(name: &str, input: usize, mesh: &Remeshed, seconds: f64) {
             println!("{}: {error}", path.display());
         }
     }
+}
+
+/// How far samples of a mesh are from another, in percent of the diagonal.
+fn farthest(from: (&[DVec3], &[[u32; 3]]), to: (&[DVec3], &[[u32; 3]])) -> f64 {
+    let rules = FeatureRules { angle_deg: 180.0, weak_angle_deg: 180.0, ..FeatureRules::default() };
+    let Ok(other) = Surface::new(to.0, to.1, &[], &rules) else { return f64::NAN };
+    let (low, high) =
+        from.0.iter().fold((from.0[0], from.0[0]), |(l, h), p| (l.min(*p), h.max(*p)));
+    let distance = |point: DVec3| {
+        let feet =
+            (0..other.patch_count()).map(|patch| other.nearest(patch, point, None, 0).distance);
+        feet.fold(f64::INFINITY, f64::min)
+    };
+    let samples = from.1.iter().flat_map(|t| {
+        let [a, b, c] = t.map(|v| from.0[v as usize]);
+        [a, (a + b + c) / 3.0, a.midpoint(b), b.midpoint(c), c.midpoint(a)]
+    });
+    samples.map(distance).fold(0.0, f64::max) / low.distance(high) * 100.0
 }
 
 fn min_angle([a, b, c]: [DVec3; 3]) -> f64 {

@@ -1,16 +1,16 @@
 //! What keeps the mesh near the surface, and the surface near the mesh: no operation and no move makes either worse.
 
-use crate::array_mesh::ArrayMesh;
-use crate::surface::reference::OnSurface;
+use crate::array_mesh::{ArrayMesh, Kind};
+use crate::surface::reference::{OnSurface, Reference, Witness};
 use glam::DVec3;
 use mindeg_mesh::Bounds;
 
 /// A triangle faces the surface if the cosine between their normals is greater.
 const FACES: f64 = 0.1;
-/// A move is looked at where normals turn by more than about 53 degrees, or
-const BENDS: f64 = 0.6;
-/// where edges are farther from the surface than this share of the tolerance.
-const CHORD: f64 = 0.4;
+/// Where a surface bends: normals turn by more than the angle of this cosine, or edges are farther from the surface than a
+/// share of the tolerance. Moves change less than operations.
+const BENDS_FOR_MOVES: [f64; 2] = [0.6, 0.4];
+const BENDS_FOR_OPERATIONS: [f64; 2] = [0.9, 0.25];
 
 /// What is so before a change.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,56 +28,87 @@ impl Survey {
         vertices: &[u32],
         moves: bool,
     ) -> Option<Self> {
-        let region = region(mesh, vertices);
-        if moves && !bends(mesh, &region) {
+        let region = Region::of(mesh, vertices);
+        let is_inside = |v: &u32| mesh.vertices[*v as usize].kind == Kind::Free;
+        let limits = if moves { BENDS_FOR_MOVES } else { BENDS_FOR_OPERATIONS };
+        // A cavity that ends at a curve may cut its corners even where the surface is flat.
+        if (moves || vertices.iter().all(is_inside)) && !region.bends(mesh, limits) {
             return None;
         }
         let reference = mesh.space.0;
-        let corners = region.iter().flat_map(|t| mesh.corners(*t));
-        let none = Bounds { min: DVec3::INFINITY, max: DVec3::NEG_INFINITY };
-        let bounds = corners.fold(none, |b, p| Bounds { min: b.min.min(p), max: b.max.max(p) });
         let by = DVec3::splat(reference.tolerance);
+        let bounds = region.parts.iter().map(|part| part.bounds).reduce(Bounds::union)?;
         let mut near = Vec::new();
         reference.witnesses_in(Bounds { min: bounds.min - by, max: bounds.max + by }, &mut near);
-        near.retain(|w| is_near(mesh, &region, *w));
-        Some(Self { far: far(mesh, &region), near })
+        near.retain(|w| region.is_near(reference, *w));
+        Some(Self { far: region.far(mesh), near })
     }
 
     /// True if all witnesses are still near, and no more triangles are far.
     pub(crate) fn is_kept(&self, mesh: &ArrayMesh<OnSurface<'_>>, vertices: &[u32]) -> bool {
-        let region = region(mesh, vertices);
-        self.near.iter().all(|w| is_near(mesh, &region, *w)) && far(mesh, &region) <= self.far
+        let region = Region::of(mesh, vertices);
+        let reference = mesh.space.0;
+        self.near.iter().all(|w| region.is_near(reference, *w)) && region.far(mesh) <= self.far
     }
 }
 
 /// The triangles at some vertices, each once.
-fn region(mesh: &ArrayMesh<OnSurface<'_>>, vertices: &[u32]) -> Vec<u32> {
-    let (mut star, mut region) = (Vec::new(), Vec::new());
-    for v in vertices {
-        if mesh.vertices[*v as usize].triangles > 0 {
-            mesh.star(*v, &mut star);
-            region.extend_from_slice(&star);
+struct Region {
+    parts: Vec<Part>,
+}
+
+struct Part {
+    triangle: u32,
+    patch: u32,
+    corners: [DVec3; 3],
+    /// Of the corners.
+    bounds: Bounds<DVec3>,
+}
+
+impl Region {
+    fn of(mesh: &ArrayMesh<OnSurface<'_>>, vertices: &[u32]) -> Self {
+        let (mut star, mut triangles) = (Vec::new(), Vec::new());
+        for v in vertices {
+            if mesh.vertices[*v as usize].triangles > 0 {
+                mesh.star(*v, &mut star);
+                triangles.extend_from_slice(&star);
+            }
         }
+        triangles.sort_unstable();
+        triangles.dedup();
+        let part = |triangle: u32| {
+            let corners @ [a, b, c] = mesh.corners(triangle);
+            let patch = mesh.triangles[triangle as usize].patch;
+            let bounds = Bounds { min: a.min(b).min(c), max: a.max(b).max(c) };
+            Part { triangle, patch, corners, bounds }
+        };
+        Self { parts: triangles.into_iter().map(part).collect() }
     }
-    region.sort_unstable();
-    region.dedup();
-    region
-}
 
-/// True if a witness is within the tolerance of the triangles of its patch.
-fn is_near(mesh: &ArrayMesh<OnSurface<'_>>, region: &[u32], witness: u32) -> bool {
-    let reference = mesh.space.0;
-    let witness = reference.witnesses[witness as usize];
-    let most = reference.tolerance * reference.tolerance;
-    region.iter().any(|t| {
-        mesh.triangles[*t as usize].patch == witness.patch
-            && squared_distance(witness.at, mesh.corners(*t)) <= most
-    })
-}
+    /// True if a witness is within the tolerance of the triangles of its patch.
+    fn is_near(&self, reference: &Reference, witness: u32) -> bool {
+        let Witness { at, patch } = reference.witnesses[witness as usize];
+        let most = reference.tolerance * reference.tolerance;
+        self.parts.iter().any(|part| {
+            let beyond = (part.bounds.min - at).max(at - part.bounds.max).max(DVec3::ZERO);
+            part.patch == patch
+                && beyond.length_squared() <= most
+                && squared_distance(at, part.corners) <= most
+        })
+    }
 
-/// How many triangles are farther than the tolerance from their patch, or do not face it.
-fn far(mesh: &ArrayMesh<OnSurface<'_>>, region: &[u32]) -> usize {
-    region.iter().filter(|t| is_far(mesh, **t)).count()
+    /// How many triangles are farther than the tolerance from their patch, or do not face it.
+    fn far(&self, mesh: &ArrayMesh<OnSurface<'_>>) -> usize {
+        let is_far = |part: &&Part| {
+            bends(mesh, part.triangle, BENDS_FOR_OPERATIONS) && is_far(mesh, part.triangle)
+        };
+        self.parts.iter().filter(is_far).count()
+    }
+
+    /// True if the surface bends between the corners of a triangle.
+    fn bends(&self, mesh: &ArrayMesh<OnSurface<'_>>, limits: [f64; 2]) -> bool {
+        self.parts.iter().any(|part| bends(mesh, part.triangle, limits))
+    }
 }
 
 /// True if a triangle is far from its patch at its centroid or at the middle of an edge, or does not face it there.
@@ -93,23 +124,28 @@ pub(crate) fn is_far(mesh: &ArrayMesh<OnSurface<'_>>, t: u32) -> bool {
     })
 }
 
-/// True if the surface bends between the corners of these triangles.
-fn bends(mesh: &ArrayMesh<OnSurface<'_>>, region: &[u32]) -> bool {
-    let chord = 8.0 * CHORD * mesh.space.0.tolerance;
-    region.iter().any(|t| {
-        let sites = mesh.triangles[*t as usize].vertices.map(|v| &mesh.vertices[v as usize].at);
-        let [a, b, c] = sites.map(|site| site.at);
-        let normal = (b - a).cross(c - a);
-        let turned = BENDS * normal.length();
-        (0..3).any(|i| {
-            let (one, other) = (sites[i], sites[(i + 1) % 3]);
-            let is_inside = |normal: DVec3| normal != DVec3::ZERO;
-            let is_turned = is_inside(one.normal) && one.normal.dot(normal) < turned;
-            let is_pair = is_inside(one.normal) && is_inside(other.normal);
-            let off = (other.at - one.at).dot(other.normal - one.normal).abs();
-            is_turned || is_pair && (off > chord || one.normal.dot(other.normal) < BENDS)
-        })
-    })
+/// True if the surface bends between the corners of a triangle, or if they do not tell.
+fn bends(mesh: &ArrayMesh<OnSurface<'_>>, t: u32, [cosine, share]: [f64; 2]) -> bool {
+    let chord = share * mesh.space.0.tolerance;
+    let sites = mesh.triangles[t as usize].vertices.map(|v| &mesh.vertices[v as usize].at);
+    let [a, b, c] = sites.map(|site| site.at);
+    let normal = (b - a).cross(c - a);
+    let turned = cosine * normal.length();
+    let mut is_known = false;
+    (0..3).any(|i| {
+        let (one, other) = (sites[i], sites[(i + 1) % 3]);
+        let edge = other.at - one.at;
+        let [here, there] = [one, other].map(|site| site.normal != DVec3::ZERO);
+        is_known |= here;
+        // In the middle of an arc; of one end alone, the other leans as much the other way.
+        let off = match (here, there) {
+            (true, true) => edge.dot(other.normal - one.normal) / 8.0,
+            (true, false) => edge.dot(one.normal) / 4.0,
+            (false, true) => edge.dot(other.normal) / 4.0,
+            (false, false) => 0.0,
+        };
+        here && one.normal.dot(normal) < turned || off.abs() > chord
+    }) || !is_known
 }
 
 /// The squared distance from a point to a triangle.
