@@ -139,3 +139,40 @@ fn options_without_meaning_and_breaks_are_refused() {
     let found = remesh(&surface, &options, Progress::new(&broken));
     assert_eq!(found, Err(mindeg_interior::RemeshError::Cancelled));
 }
+
+#[test]
+fn kept_samples_stay_bit_for_bit_and_none_come_between_them() {
+    // Graded samples on the boundary of a bent sheet.
+    let n = 12;
+    let x = |i: u32| {
+        let share = f64::from(i) / f64::from(n);
+        2.0 * share * (0.6 + 0.4 * share) - 1.0
+    };
+    let point = |v: u32| {
+        let (x, y) = (x(v % (n + 1)), x(v / (n + 1)));
+        DVec3::new(x, y, 0.3 * (x * x - y * y))
+    };
+    let points: Vec<DVec3> = (0..(n + 1) * (n + 1)).map(point).collect();
+    let cells = (0..n * n).map(|c| c / n * (n + 1) + c % n);
+    let triangles: Vec<[u32; 3]> =
+        cells.flat_map(|v| [[v, v + 1, v + n + 2], [v, v + n + 2, v + n + 1]]).collect();
+    let surface = Surface::new(&points, &triangles, &[], &FeatureRules::default()).unwrap();
+    let options =
+        RemeshOptions { size: Some(0.15), keep_boundary: true, ..RemeshOptions::default() };
+    let mesh = remesh(&surface, &options, Progress::NONE).unwrap();
+    let sorted = |edges: Vec<[DVec3; 2]>| {
+        let bits = |p: DVec3| p.to_array().map(f64::to_bits);
+        let mut edges: Vec<_> = edges
+            .into_iter()
+            .map(|[a, b]| if bits(a) < bits(b) { [bits(a), bits(b)] } else { [bits(b), bits(a)] })
+            .collect();
+        edges.sort_unstable();
+        edges
+    };
+    let before = surface.spans().iter().map(|s| s.vertices.map(|v| surface.points()[v as usize]));
+    let after = mesh.curves.iter().flat_map(|curve| &curve.edges);
+    let after = after.map(|edge| edge.map(|v| mesh.points[v as usize]));
+    assert_eq!(sorted(before.collect()), sorted(after.collect()));
+    assert!(mesh.report.off_degree.is_empty(), "{:?}", mesh.report);
+    assert!(mesh.report.min_angle > 33.0, "{:?}", mesh.report);
+}

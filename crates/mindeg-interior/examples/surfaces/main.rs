@@ -1,7 +1,8 @@
 //! Meshes surfaces anew and prints what is reached: models of its own making, or files.
 //!
 //! `cargo run --release --example surfaces [-- NAME|FILE.obj|FILE.off [SIZE]]`; with SURFACES_OUT set, meshes are written
-//! there as OBJ.
+//! there as OBJ; with SURFACES_KEEP set, samples of features stay; SURFACES_ANGLE is the
+//! feature angle in degrees.
 
 mod files;
 mod models;
@@ -37,14 +38,24 @@ fn main() {
         }
     };
     for (name, (points, triangles, own)) in models {
-        let surface = match Surface::new(&points, &triangles, &[], &FeatureRules::default()) {
+        let mut rules = FeatureRules::default();
+        if let Some(angle) = std::env::var("SURFACES_ANGLE").ok().and_then(|a| a.parse().ok()) {
+            (rules.angle_deg, rules.weak_angle_deg) = (angle, angle);
+        }
+        let surface = match Surface::new(&points, &triangles, &[], &rules) {
             Ok(surface) => surface,
             Err(error) => {
                 println!("{name}: {error}");
                 continue;
             }
         };
-        let options = RemeshOptions { size: size.or(own), ..RemeshOptions::default() };
+        let keep = std::env::var_os("SURFACES_KEEP").is_some();
+        let options = RemeshOptions {
+            size: size.or(own),
+            keep_boundary: keep,
+            keep_features: keep,
+            ..RemeshOptions::default()
+        };
         let start = Instant::now();
         match remesh(&surface, &options, Progress::NONE) {
             Ok(mesh) => {

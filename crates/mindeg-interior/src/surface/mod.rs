@@ -1,6 +1,7 @@
 //! Surfaces in space: a mesh with degrees 5 to 7 that stays near a given surface and keeps its features.
 
 mod guard;
+mod kept;
 mod motion;
 mod passes;
 mod reference;

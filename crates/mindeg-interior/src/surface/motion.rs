@@ -50,6 +50,9 @@ impl Manifold for OnSurface<'_> {
             let foot = reference.foot(patch, from.at.midpoint(to.at), normal, from.near);
             return Some(Site::of_foot(&foot, patch));
         }
+        if reference.keeps(curve) {
+            return None;
+        }
         let near = |site: &Site| match site.on {
             On::Curve { t, .. } => Some(t),
             _ => None,

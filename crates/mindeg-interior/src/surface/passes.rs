@@ -282,8 +282,7 @@ fn resize(mesh: &mut SurfaceMesh<'_>) {
             continue;
         }
         let patch = mesh.triangles[vertex.anchor as usize].patch;
-        let surface = &mesh.space.0.surface;
         let foot = mesh.space.0.foot(patch, vertex.at.at, vertex.at.normal, vertex.at.near);
-        mesh.vertices[v].size = surface.size_at(&foot);
+        mesh.vertices[v].size = mesh.space.0.size_at(&foot);
     }
 }

@@ -1,6 +1,7 @@
 //! The surface that a mesh in space lies on: where its vertices are on it, and samples of it that the mesh stays near to.
 
 use crate::space::Space;
+use crate::surface::kept::sizes_beside;
 use glam::DVec3;
 use mindeg_mesh::{Bounds, BoxTree};
 use mindeg_surfaces::{Foot, NONE, Surface};
@@ -44,6 +45,10 @@ pub(crate) struct Reference {
     pub(crate) size: f64,
     pub(crate) witnesses: Vec<Witness>,
     tree: BoxTree,
+    /// Whether the samples of each curve stay.
+    is_kept: Vec<bool>,
+    /// The wanted edge length at each vertex of the surface.
+    sizes: Vec<f64>,
 }
 
 /// A point of a patch that the mesh of that patch stays near to.
@@ -57,10 +62,28 @@ pub(crate) struct Witness {
 const APART: f64 = 0.2;
 
 impl Reference {
-    pub(crate) fn new(surface: Surface, size: f64, tolerance: f64) -> Self {
+    /// `is_kept`: whether the samples of each curve stay.
+    pub(crate) fn new(surface: Surface, size: f64, tolerance: f64, is_kept: Vec<bool>) -> Self {
         let witnesses = witnesses(&surface, APART * size);
         let boxes = witnesses.iter().map(|w| Bounds { min: w.at, max: w.at }).collect();
-        Self { surface, tolerance, size, witnesses, tree: BoxTree::new(boxes) }
+        let sizes = sizes_beside(&surface, &is_kept);
+        Self { surface, tolerance, size, witnesses, tree: BoxTree::new(boxes), is_kept, sizes }
+    }
+
+    /// True if the samples of a curve stay.
+    pub(crate) fn keeps(&self, curve: u32) -> bool {
+        self.is_kept[curve as usize]
+    }
+
+    /// The wanted edge length at a vertex of the surface.
+    pub(crate) fn size_of(&self, vertex: u32) -> f64 {
+        self.sizes[vertex as usize]
+    }
+
+    /// The wanted edge length at a foot.
+    pub(crate) fn size_at(&self, foot: &Foot) -> f64 {
+        let corners = self.surface.triangles()[foot.triangle as usize];
+        (0..3).map(|i| foot.weights[i] * self.size_of(corners[i])).sum()
     }
 
     /// Appends the witnesses in a box.

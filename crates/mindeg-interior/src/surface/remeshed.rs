@@ -26,6 +26,10 @@ pub struct RemeshOptions {
     pub tolerance: Option<f64>,
     /// The minimum angle aimed at, in degrees. `None`: 35.
     pub target_angle: Option<f64>,
+    /// True if the points of the boundary stay bit for bit, and no others come between them.
+    pub keep_boundary: bool,
+    /// The same for the curves that are not on the boundary.
+    pub keep_features: bool,
 }
 
 /// A curve of a surface in its mesh.
@@ -169,10 +173,17 @@ pub fn remesh(
     let mut stage = Stage::new(progress, "meshing the surface");
     stage.section(0.1);
     let fine = stage.through(1.0, |progress| surface.refined(&rules, progress))?;
-    let reference = Reference::new(fine, size, tolerance);
+    let curves = surface.curves().iter();
+    let is_kept: Vec<bool> = curves
+        .map(|c| if c.is_boundary() { options.keep_boundary } else { options.keep_features })
+        .collect();
+    let keeps = is_kept.contains(&true);
+    let reference = Reference::new(fine, size, tolerance, is_kept);
     let wanted = Options::default();
     let single = Weights::single(&wanted, floor);
-    let mesh = work_mesh(&reference, &single).map_err(RemeshError::BadMesh)?;
+    // Refining divides curves, too.
+    let start = if keeps { surface } else { &reference.surface };
+    let mesh = work_mesh(&reference, start, &single).map_err(RemeshError::BadMesh)?;
     stage.section(0.5);
     let mut mesh = passes(mesh, &single, &mut stage)?.map_err(RemeshError::BadMesh)?;
     stage.section(0.8);

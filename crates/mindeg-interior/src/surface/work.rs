@@ -1,36 +1,39 @@
-//! The mesh that work begins with, which is the reference itself, and what is left of it at the end.
+//! The mesh that work begins with: the triangles of the surface itself.
 
 use crate::array_mesh::{ArrayMesh, Kind, NONE, Vertex};
 use crate::goal::{Goal, Weights};
 use crate::surface::reference::{CurveLabel, On, OnSurface, Reference, Site};
 use crate::surface::sectors::Sectors;
 use glam::DVec3;
-use mindeg_surfaces::Spot;
+use mindeg_surfaces::{Spot, Surface};
 
 /// A mesh on a surface.
 pub(crate) type SurfaceMesh<'a> = ArrayMesh<OnSurface<'a>>;
 
-/// The reference as a mesh, whose corners know their limits.
+/// A surface as a mesh, whose corners know their limits: that of the reference, or that before it was refined. Samples of
+/// curves that are kept are corners.
 pub(crate) fn work_mesh<'a>(
     reference: &'a Reference,
+    surface: &Surface,
     weights: &Weights,
 ) -> Result<SurfaceMesh<'a>, String> {
-    let surface = &reference.surface;
-    let mut corner_of = vec![(NONE, 0); surface.points().len()];
-    for (t, corners) in (0_u32..).zip(surface.triangles()) {
+    // Refining keeps the vertices and appends others.
+    let fine = &reference.surface;
+    let mut corner_of = vec![(NONE, 0); fine.points().len()];
+    for (t, corners) in (0_u32..).zip(fine.triangles()) {
         (0..3).for_each(|i| corner_of[corners[i] as usize] = (t, i));
     }
     let vertex = |(v, at): (u32, &DVec3)| {
         let (near, i) = corner_of[v as usize];
         let (kind, on, normal) = match surface.spot(v) {
-            Spot::Inside { patch } => {
-                (Kind::Free, On::Patch(patch), surface.corner_normal(near, i))
+            Spot::Inside { patch } => (Kind::Free, On::Patch(patch), fine.corner_normal(near, i)),
+            Spot::Curve { curve, t } if !reference.keeps(curve) => {
+                (Kind::Curve, On::Curve { curve, t }, DVec3::ZERO)
             }
-            Spot::Curve { curve, t } => (Kind::Curve, On::Curve { curve, t }, DVec3::ZERO),
-            Spot::Corner => (Kind::Fixed, On::Corner(v), DVec3::ZERO),
+            _ => (Kind::Fixed, On::Corner(v), DVec3::ZERO),
         };
         let site = Site { at: *at, normal, near, on };
-        let size = surface.size(v);
+        let size = reference.size_of(v);
         Vertex { at: site, size, anchor: NONE, goal: NONE, triangles: 0, kind }
     };
     let vertices = (0..).zip(surface.points()).map(vertex).collect();
