@@ -3,8 +3,9 @@
 use crate::mesh::{content, domains, text};
 use crate::run::{mindeg, mindeg_reading};
 use mindeg_formats::obj;
-use serde_json::Value;
+use serde_json::{Value, json};
 use std::fs;
+use tempfile::tempdir;
 
 /// A rectangle whose left side is coarse between two fine ones.
 const COARSE: [&str; 5] = ["mesh", "--rectangle", "4x4", "--intervals", "16,16,16,2"];
@@ -25,7 +26,10 @@ fn every_domain_gets_interior_points() {
         let limit = number(&summary["angle_limit"]);
         assert!(number(&summary["min_angle"]) >= 0.95 * limit.min(35.0), "{domain:?}: {summary}");
         assert_eq!(summary["limit"]["angle_limit"], summary["angle_limit"]);
-        assert_eq!(summary["least_max_degree"], Value::Null);
+        let [least, most] = ["at_least", "max_degree"].map(|key| number(&summary[key]));
+        assert!(3.0 <= least && least <= most, "{summary}");
+        let is_least = summary["least_max_degree"] == summary["max_degree"];
+        assert!(is_least || summary["least_max_degree"].is_null() && least < most, "{summary}");
         let most = [&summary["boundary_degree"][1], &summary["interior_degree"][1]];
         assert_eq!(summary["max_degree"].as_u64(), most.iter().filter_map(|it| it.as_u64()).max());
         let mesh = obj::read(&fs::read(&file).expect("the file was written")[..]).expect("an OBJ");
@@ -45,6 +49,50 @@ fn every_domain_gets_interior_points() {
             lines.take(count as usize).map(str::to_owned).collect()
         };
         assert_eq!(vertices(&file), vertices(&plain), "{domain:?}");
+    }
+}
+
+#[test]
+fn the_degree_comes_with_its_bound() {
+    let hub = |lines: usize| {
+        let line = |turn: usize| {
+            let [x, y] =
+                [[4, 0], [4, 4], [0, 4], [-4, 4], [-4, 0], [-4, -4], [0, -4], [4, -4], [4, 2]]
+                    [turn];
+            json!({"corners": [[0, 0], [x, y]]})
+        };
+        json!({"polygon": {"corners": [[-4, -4], [4, -4], [4, 4], [-4, 4]]}, "size": 1,
+            "lines": (0..lines).map(line).collect::<Vec<_>>()})
+    };
+    for (domain, at_least) in [
+        // Nine lines meet, each in a triangle.
+        (hub(9), 9),
+        // A line that ends inside is turned around by three triangles; the edges of the square have too many ends for 3.
+        (hub(1), 4),
+        // Of a square with one interval to a side, a diagonal makes two triangles.
+        (json!({"polygon": {"corners": [[0, 0], [1, 0], [1, 1], [0, 1]]}, "size": 1}), 3),
+        // A triangle is a mesh of itself.
+        (json!({"polygon": {"corners": [[0, 0], [1, 0], [0, 1]]}, "size": 9}), 2),
+    ] {
+        let folder = tempdir().expect("a folder");
+        let out = folder.path().join("mesh.obj");
+        let run = mindeg_reading(
+            [
+                "mesh",
+                "-",
+                "--interior",
+                "-q",
+                "--json",
+                "--write-anyway",
+                "-o",
+                out.to_str().expect("a path"),
+            ],
+            domain.to_string().as_bytes(),
+        );
+        let summary = run.json();
+        assert_eq!(summary["at_least"], at_least, "{domain}");
+        let is_proven = summary["max_degree"] == at_least;
+        assert_eq!(summary["least_max_degree"] == at_least, is_proven, "{domain}");
     }
 }
 

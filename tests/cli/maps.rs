@@ -178,8 +178,47 @@ fn degrees_come_with_their_bound() {
         .refuses(&["no mesh of maximum degree 5"]);
     mindeg(["mesh", MAP, "--optimize", "angle", "-o", "map.obj"])
         .refuses(&["for a map give --keep-angle or --max-degree"]);
-    mindeg(["compare", MAP, "--json"]).refuses(&["mindeg tradeoff shows its degrees and angles"]);
     let proof = ["degree", MAP, "--proof", "proof.json"];
     mindeg(proof).refuses(&["mindeg verify finds and checks its proof"]);
     mindeg(["suggest", MAP]).refuses(&["mindeg degree tells its degree"]);
+}
+
+/// Other methods keep the same regions and lines.
+#[test]
+fn maps_are_compared_region_by_region() {
+    let folder = tempdir().expect("a folder");
+    let at = |name: &str| folder.path().join(name);
+    let (html, meshes) = (at("report.html"), at("meshes"));
+    let run = mindeg(["compare", MAP, "--json", "-o", text(&html), "--save-meshes", text(&meshes)]);
+    let report = run.json();
+    let domain = &report["domain"];
+    assert_eq!((domain["regions"].as_u64(), domain["holes"].as_u64()), (Some(3), Some(1)));
+    let figures = ["vertices", "triangles", "interior_edges"].map(|key| domain[key].as_u64());
+    assert_eq!(figures, [65, 84, 103].map(Some));
+    let names: Vec<_> =
+        report["methods"].as_array().expect("a list").iter().map(|it| &it["name"]).collect();
+    assert_eq!(names, ["mindeg", "Delaunay", "Ear clipping"]);
+    let [own, delaunay, ears] = [0, 1, 2].map(|method| &report["methods"][method]);
+    assert_eq!((own["max_degree"].as_u64(), own["valid"].as_bool()), (Some(6), Some(true)));
+    assert!(delaunay["valid"] == true && delaunay["max_degree"].as_u64() > Some(6), "{delaunay}");
+    // The crate drops points on straight lines beside holes.
+    assert!(ears["valid"] == true || ears["defects"][0]["kind"] == "missing_triangles", "{ears}");
+    for name in ["mindeg.obj", "delaunay.obj"] {
+        let verified = mindeg(["verify", text(&meshes.join(name)), MAP, "--json"]).json();
+        assert_eq!(
+            (verified["valid"].as_bool(), verified["given_points"].as_u64()),
+            (Some(true), Some(19)),
+            "{verified}"
+        );
+    }
+    let page = fs::read_to_string(&html).expect("a report");
+    assert!(page.contains(" · 1 hole · 3 regions · 65 vertices · 84 triangles · "));
+    assert!(page.contains("of a map, the angles are searched for, not proven"));
+    // With points inside, the other program has no mesh, and says why.
+    let report = mindeg(["compare", MAP, "--json", "--interior"]).json();
+    let [own, other] = [0, 1].map(|method| &report["interior"][method]);
+    assert!(
+        own["violations"] == 0 && other["failure"] == "it takes no lines or points inside",
+        "{report}"
+    );
 }

@@ -21,6 +21,10 @@ pub struct InteriorAnswer {
     pub interior_points: usize,
     /// The most edges at a vertex.
     pub max_degree: u32,
+    /// Null where it is not known; no mesh has less than `at_least`.
+    pub least_max_degree: Option<u32>,
+    /// No mesh of the boundary and the lines has a smaller maximum degree, whatever points are inside.
+    pub at_least: u32,
     /// The minimum angle of all triangles.
     pub min_angle: f64,
     /// The maximum angle of all triangles.
@@ -167,10 +171,13 @@ impl From<&InteriorReport> for InteriorAnswer {
         };
         let interior_degree = report.interior_degree.as_ref().map(ends);
         let boundary_degree = ends(&report.boundary_degree);
+        let max_degree = interior_degree.map_or(0, |[_, most]| most).max(boundary_degree[1]);
         Self {
             triangles: report.triangles,
             interior_points: report.interior_points,
-            max_degree: interior_degree.map_or(0, |[_, most]| most).max(boundary_degree[1]),
+            max_degree,
+            least_max_degree: (max_degree <= report.at_least).then_some(report.at_least),
+            at_least: report.at_least,
             min_angle: report.min_angle,
             max_angle: report.max_angle,
             angle_limit: report.angle_limit,

@@ -4,7 +4,7 @@ use crate::figures::{DefectKind, DomainFigures, MethodDefect, MethodFigures};
 use crate::interior;
 use crate::reference::Reference;
 use crate::report::{Provenance, Report};
-use crate::{Advice, Method, NoTriangulation, measure, verdict};
+use crate::{Advice, Method, NoTriangulation, measure, regions, verdict};
 use glam::DVec2;
 use mindeg::exact::{self, ExactMesh, TradeOff};
 use mindeg::{Domain, Goal, MeshError, Progress, Rings, Step};
@@ -78,7 +78,9 @@ pub enum CompareError {
 pub struct Comparison {
     report: Report,
     boundary: PlanarBoundary,
-    /// The rings of the domain as closed lines.
+    /// The points of the boundary, then those inside.
+    points: Vec<DVec2>,
+    /// The rings of the domain as closed lines, and the lines inside.
     outlines: Vec<Vec<DVec2>>,
     /// The triangles of each method of the report; empty for a method without a mesh.
     triangles: Vec<Vec<[u32; 3]>>,
@@ -92,13 +94,13 @@ impl Comparison {
         &self.report
     }
 
-    /// The boundary points, in the order of the vertices.
+    /// The boundary points, in the order of the vertices, and those of lines and points inside.
     #[must_use]
     pub fn points(&self) -> &[DVec2] {
-        self.boundary.points()
+        &self.points
     }
 
-    /// The rings of the domain as closed lines.
+    /// The rings of the domain as closed lines, and the lines inside.
     pub(crate) fn outlines(&self) -> &[Vec<DVec2>] {
         &self.outlines
     }
@@ -159,11 +161,6 @@ pub fn compare(domain: &Domain, options: &CompareOptions) -> Result<Comparison, 
     if domain.is_constrained() {
         return Err(MeshError::Constrained.into());
     }
-    if domain.is_map() {
-        let message = "the domain has lines or points inside, which the other methods do not take; mindeg tradeoff \
-                       shows its degrees and angles, and mindeg mesh makes its mesh";
-        return Err(MeshError::Refused(message.to_owned()).into());
-    }
     let start = Instant::now();
     let meshed = mindeg::mesh(domain, Goal::LeastDegree, Progress::NONE)?;
     let own: Vec<[u32; 3]> = meshed.mesh.triangles().collect();
@@ -171,7 +168,7 @@ pub fn compare(domain: &Domain, options: &CompareOptions) -> Result<Comparison, 
 
     let boundary = domain.boundary().map_err(MeshError::from)?.into_owned();
     let at_least = meshed.least_max_degree;
-    let checker = measure::Checker::new(&boundary);
+    let checker = measure::Checker::new(domain, &boundary, meshed.mesh.triangle_count());
     let figures = |method, triangles: &[[u32; 3]]| MethodFigures {
         method,
         description: method.description().into_owned(),
@@ -208,17 +205,21 @@ pub fn compare(domain: &Domain, options: &CompareOptions) -> Result<Comparison, 
         false => Vec::new(),
     };
     let rings = domain.rings();
-    let outlines = outlines(domain);
+    let outlines = outlines(domain, &boundary);
+    let triangle_count = meshed.mesh.triangle_count();
+    let edge_count = measure::degrees(&boundary, &triangles[0]).iter().sum::<u32>() / 2;
     let domain = DomainFigures {
         name: domain.name().map(str::to_owned),
         intervals: rings.sides().collect(),
         side_lengths: side_lengths(&boundary, rings),
         side_names: domain.sides().iter().map(|side| side.name.clone()).collect(),
         corners: domain.placement().corners().iter().map(DVec2::to_array).collect(),
-        vertices,
-        holes: rings.ring_count() as u32 - 1,
-        triangles: meshed.mesh.triangle_count(),
-        interior_edges: meshed.mesh.triangle_count() + rings.ring_count() as u32 - 2,
+        vertices: meshed.mesh.vertex_count(),
+        holes: regions::holes(domain),
+        regions: regions::regions(domain),
+        triangles: triangle_count,
+        // An edge on the boundary is of one triangle, any other of two.
+        interior_edges: 3 * triangle_count - edge_count,
         at_least,
         least_max_degree: meshed.is_least_proven.then_some(at_least),
     };
@@ -232,7 +233,8 @@ pub fn compare(domain: &Domain, options: &CompareOptions) -> Result<Comparison, 
         verdict: String::new(),
     };
     report.verdict = verdict::verdict(&report).text();
-    Ok(Comparison { report, boundary, outlines, triangles, trade_off })
+    let points = regions::points(&boundary).into_owned();
+    Ok(Comparison { report, boundary, points, outlines, triangles, trade_off })
 }
 
 /// The sum of the lengths of each side's intervals.
@@ -246,8 +248,8 @@ fn side_lengths(boundary: &PlanarBoundary, rings: &Rings) -> Vec<f64> {
     (0..rings.side_count()).map(length).collect()
 }
 
-/// The rings as closed lines: of straight sides the corners, of others all points.
-fn outlines(domain: &Domain) -> Vec<Vec<DVec2>> {
+/// The rings as closed lines, of straight sides the corners, of others all points; and each edge of the lines inside.
+fn outlines(domain: &Domain, boundary: &PlanarBoundary) -> Vec<Vec<DVec2>> {
     let (rings, placement) = (domain.rings(), domain.placement());
     let line = |ring: usize| {
         let sides = rings.ring_sides(ring).flat_map(|side| {
@@ -258,7 +260,9 @@ fn outlines(domain: &Domain) -> Vec<Vec<DVec2>> {
         let start = rings.ring(ring).start;
         sides.chain([start]).map(|vertex| placement.point(vertex)).collect()
     };
-    (0..rings.ring_count()).map(line).collect()
+    let inside =
+        boundary.segments().iter().map(|ends| ends.map(|end| boundary.point(end)).to_vec());
+    (0..rings.ring_count()).map(line).chain(inside).collect()
 }
 
 /// The trade-off, if the size and the time allow it.
@@ -363,6 +367,33 @@ mod tests {
         );
     }
 
+    /// A ring of lines round a region that is a hole, and a line that ends inside.
+    #[test]
+    fn regions_that_are_holes_have_no_triangles() {
+        let map = r#"{"rectangle": {"width": 4, "height": 3}, "size": 1,
+            "lines": [{"corners": [[1, 1], [2, 1], [2, 2], [1, 2]], "closed": true}LINE],
+            "regions": [{"at": [1.5, 1.5], "hole": true}, {"at": [3.5, 0.5]}]}"#;
+        for (line, vertices, ears) in
+            [("", 18, true), (r#", {"corners": [[4, 2], [3, 2]]}"#, 19, false)]
+        {
+            let domain = Domain::from_json(&map.replace("LINE", line)).unwrap();
+            let comparison = compare(&domain, &CompareOptions::default()).unwrap();
+            let DomainFigures { regions, holes, vertices: all, triangles, interior_edges, .. } =
+                comparison.report().domain;
+            assert_eq!((regions, holes, all), (Some(1), 1, vertices));
+            // By Euler's formula, with 18 edges on the boundary.
+            assert_eq!((triangles, interior_edges), (2 * vertices - 18, 3 * vertices - 36));
+            let [own, delaunay, ear_clipping] = &comparison.report().methods[..] else {
+                panic!("{line}")
+            };
+            assert!(own.valid && delaunay.valid, "{:?}", delaunay.defects);
+            let refuses = |defect: &MethodDefect| {
+                defect.message.starts_with("ear clipping takes rings alone")
+            };
+            assert_eq!(ear_clipping.defects.iter().any(refuses), !ears, "{ear_clipping:?}");
+        }
+    }
+
     #[test]
     fn every_method_has_its_triangles_and_they_have_the_edges() {
         let frame = r#"{"rectangle": {"width": 6, "height": 4}, "size": 1,
@@ -416,7 +447,7 @@ mod tests {
         let text = r#"{"polygon": {"corners": [[0,0],[4,0],[4,4],[0,4]]}, "size": 1,
             "sides": [{}, {}, {"intervals": 4, "arc": {"through": [2, 6]}}, {}]}"#;
         let domain = Domain::from_json(text).unwrap();
-        let lines = outlines(&domain);
+        let lines = outlines(&domain, &domain.boundary().unwrap());
         assert_eq!(lines.len(), 1);
         // Corners are vertices 0, 4, 8 and 12; the arc goes from 8 to 12.
         let shown = [0, 4, 8, 9, 10, 11, 12, 0].map(|vertex| domain.placement().point(vertex));

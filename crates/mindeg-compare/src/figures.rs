@@ -20,13 +20,15 @@ pub struct DomainFigures {
     pub corners: Vec<[f64; 2]>,
     /// The sum of the lengths of each side's intervals.
     pub side_lengths: Vec<f64>,
-    /// The number of boundary vertices n.
+    /// The number of boundary vertices n; of a map, those inside count, too.
     pub vertices: u32,
     /// The number of holes h.
     pub holes: u32,
-    /// The number of triangles of every triangulation, n + 2h - 2.
+    /// The number of regions of a map; null if the domain is none.
+    pub regions: Option<u32>,
+    /// The number of triangles of every triangulation, n + 2h - 2 without vertices inside.
     pub triangles: u32,
-    /// The number of interior edges of every triangulation, n + 3h - 3.
+    /// The number of interior edges of every triangulation, n + 3h - 3 without vertices inside.
     pub interior_edges: u32,
     /// The least maximum degree of all triangulations; null where it is not known.
     pub least_max_degree: Option<u32>,

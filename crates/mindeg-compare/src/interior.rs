@@ -100,6 +100,10 @@ fn spade(domain: &Domain, limit: Option<f64>) -> InteriorFigures {
         ),
         ..InteriorFigures::default()
     };
+    if domain.is_map() {
+        let failure = "it takes no lines or points inside".to_owned();
+        return InteriorFigures { failure: Some(failure), ..named };
+    }
     let boundary = match domain.boundary() {
         Ok(boundary) => boundary,
         Err(faults) => return InteriorFigures { failure: Some(faults.to_string()), ..named },

@@ -26,7 +26,8 @@
 //! # Limits
 //!
 //! Whole meshes are kept in memory, of at most [`MAX_COMPARED_VERTICES`] boundary vertices. All
-//! methods use the boundary points alone; [`CompareOptions::interior`] adds meshes with points inside.
+//! methods use the boundary points alone, and the lines and points inside a map; [`CompareOptions::interior`] adds meshes with
+//! points inside.
 
 mod advice;
 pub mod axis;
@@ -36,6 +37,7 @@ mod interior;
 mod measure;
 mod method;
 pub mod reference;
+mod regions;
 pub mod report;
 mod verdict;
 

@@ -4,38 +4,52 @@
 //! the figures describe the triangles given.
 
 use crate::figures::{DefectKind, MethodDefect, MethodFigures};
+use crate::regions::points;
 use glam::DVec2;
 use mindeg::quality::{DegreeHistogram, QualitySummary, TriangleQuality, WorstTriangles};
+use mindeg::{BoundaryMesh, Domain};
 use mindeg_answers::inspected::ThinTriangle;
 use mindeg_mesh::check;
 use mindeg_mesh::planar::PlanarBoundary;
+use std::borrow::Cow;
 
 /// How many of the worst triangles are listed.
 const WORST: usize = 5;
 
 /// The reference that triangles of a domain are checked against.
 pub(crate) struct Checker<'a> {
+    domain: &'a Domain,
     boundary: &'a PlanarBoundary,
-    /// For each vertex the straight runs that end and begin there.
+    points: Cow<'a, [DVec2]>,
+    /// For each vertex of a ring the straight runs that end and begin there.
     runs: Vec<[u32; 2]>,
+    /// The number of triangles of a triangulation.
+    triangles: u32,
 }
 
 impl<'a> Checker<'a> {
-    pub(crate) fn new(boundary: &'a PlanarBoundary) -> Self {
+    /// `triangles` is the number of triangles of a triangulation.
+    pub(crate) fn new(domain: &'a Domain, boundary: &'a PlanarBoundary, triangles: u32) -> Self {
         let after = boundary.runs();
         let runs = (0..).zip(after).map(|(v, &run)| [after[boundary.previous(v) as usize], run]);
-        Self { boundary, runs: runs.collect() }
+        Self { domain, boundary, points: points(boundary), runs: runs.collect(), triangles }
     }
 
-    /// Whether all vertices of a triangle are on one straight run.
+    /// Checks that triangles are a triangulation; of a map with all its lines.
+    fn check(&self, triangles: &[[u32; 3]]) -> Result<(), String> {
+        if self.domain.is_map() {
+            let mesh = BoundaryMesh::with_triangles(self.domain, triangles.to_vec());
+            return mesh.map(drop).map_err(|error| error.to_string());
+        }
+        let checked = check::triangulation(self.boundary, &[], triangles);
+        checked.map(drop).map_err(|error| error.to_string())
+    }
+
+    /// Whether all vertices of a triangle are on one straight run of the rings.
     fn is_flat(&self, triangle: [u32; 3]) -> bool {
-        let [a, b, c] = triangle.map(|vertex| self.runs[vertex as usize]);
+        let runs = triangle.map(|vertex| self.runs.get(vertex as usize));
+        let [Some(a), Some(b), Some(c)] = runs else { return false };
         a.iter().any(|run| b.contains(run) && c.contains(run))
-    }
-
-    /// The number of triangles of a triangulation.
-    fn triangle_count(&self) -> u64 {
-        (self.boundary.points().len() + 2 * self.boundary.ring_count() - 4) as u64
     }
 }
 
@@ -45,11 +59,10 @@ pub(crate) fn figures(
     triangles: &[[u32; 3]],
     at_least: u32,
 ) -> MethodFigures {
-    let points = checker.boundary.points();
     let defects = defects(checker, triangles);
     let degrees = degrees(checker.boundary, triangles);
     let qualities: Vec<TriangleQuality> =
-        triangles.iter().map(|&triangle| quality(points, triangle)).collect();
+        triangles.iter().map(|&triangle| quality(&checker.points, triangle)).collect();
     let measured = measured(degrees, &qualities, triangles);
     MethodFigures {
         vertices_above_least: measured
@@ -94,16 +107,16 @@ pub(crate) fn quality(points: &[DVec2], triangle: [u32; 3]) -> TriangleQuality {
     TriangleQuality::of(a, b, c)
 }
 
-/// The number of neighbours of every vertex of a boundary, its two on the boundary included, in a list
-/// that need not be a triangulation.
+/// The number of neighbours of every vertex of a boundary and inside it, those along edges of the boundary and of lines
+/// included, in a list that need not be a triangulation.
 pub(crate) fn degrees(boundary: &PlanarBoundary, triangles: &[[u32; 3]]) -> Vec<u32> {
-    let edges = boundary.edges();
+    let edges = (0..boundary.edge_count()).map(|edge| boundary.ends(edge));
     let sides = triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
     let mut edges: Vec<[u32; 2]> =
         edges.chain(sides).map(|[a, b]| [a.min(b), a.max(b)]).filter(|[a, b]| a != b).collect();
     edges.sort_unstable();
     edges.dedup();
-    let mut degrees = vec![0; boundary.points().len()];
+    let mut degrees = vec![0; boundary.points().len() + boundary.inner_points().len()];
     for vertex in edges.into_iter().flatten() {
         degrees[vertex as usize] += 1;
     }
@@ -112,14 +125,13 @@ pub(crate) fn degrees(boundary: &PlanarBoundary, triangles: &[[u32; 3]]) -> Vec<
 
 /// The defects of a list, counted where possible.
 fn defects(checker: &Checker<'_>, triangles: &[[u32; 3]]) -> Vec<MethodDefect> {
-    let checked = check::triangulation(checker.boundary, &[], triangles);
     let flat = triangles.iter().filter(|&&triangle| checker.is_flat(triangle)).count() as u64;
-    let first = match checked {
-        Ok(_) if flat == 0 => return Vec::new(),
-        Ok(_) => String::new(),
-        Err(error) => error.to_string(),
+    let first = match checker.check(triangles) {
+        Ok(()) if flat == 0 => return Vec::new(),
+        Ok(()) => String::new(),
+        Err(error) => error,
     };
-    let expected = checker.triangle_count();
+    let expected = u64::from(checker.triangles);
     let found = triangles.len() as u64;
     let missing = expected.saturating_sub(found);
     let surplus = found.saturating_sub(expected);
@@ -157,13 +169,13 @@ fn defects(checker: &Checker<'_>, triangles: &[[u32; 3]]) -> Vec<MethodDefect> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use mindeg::{Domain, Side};
+    use mindeg::Side;
     use mindeg_core::verify;
 
     /// The figures of some triangles on a square of two intervals a side.
     fn square(triangles: &[[u32; 3]]) -> MethodFigures {
         let domain = Domain::rectangle(2.0, 2.0, vec![Side::count(2); 4]).unwrap();
-        figures(&Checker::new(&domain.boundary().unwrap()), triangles, 3)
+        figures(&Checker::new(&domain, &domain.boundary().unwrap(), 6), triangles, 3)
     }
 
     /// A fan from vertex 1, the middle of the bottom.

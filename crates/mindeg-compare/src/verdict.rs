@@ -275,6 +275,7 @@ mod tests {
             interior_edges: 37,
             at_least: 4,
             holes: 0,
+            regions: None,
             least_max_degree: Some(4),
         };
         let has_exact = methods.iter().any(|m| matches!(m.method, Method::Exact { .. }));

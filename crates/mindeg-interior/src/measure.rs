@@ -61,6 +61,7 @@ pub(crate) fn measure(
     let grading_p99 = grading(&mut ratios);
 
     let (mut violations, mut certified) = (Vec::new(), Vec::new());
+    let (mut boundary_vertices, mut at_least) = (0, 0);
     let mut inside: Option<(u32, u32)> = None;
     let mut boundary = (u32::MAX, 0);
     let mut interior_points = 0;
@@ -85,6 +86,8 @@ pub(crate) fn measure(
                 CornerTradeOff { vertex, at, degree, degree_limit, angles }
             }));
             let least = stars.least(own);
+            at_least = at_least.max(least + more);
+            boundary_vertices += u64::from(more);
             if least > goal.wanted {
                 let named = |end: &u32| (0..points.len() as u32).find(|v| index(*v) == *end);
                 let (degree_limit, least_degree) = (goal.wanted + more, least + more);
@@ -104,6 +107,8 @@ pub(crate) fn measure(
             violations.push(Violation { vertex, at, degree, is_boundary });
         }
     }
+    let used = (boundary_vertices + interior_points as u64) as i64;
+    at_least = at_least.max(counted(boundary_vertices, used, &halves, triangles.len()));
     let breaks_limit = violations.iter().any(|violation| violation.is_boundary);
     let angle_limit = if breaks_limit { limits_at(&violations).angle() } else { limits.angle() };
     let (mut local, shares) = local_shares(triangles, &angles, &local);
@@ -122,6 +127,7 @@ pub(crate) fn measure(
         boundary_degree: boundary.0..=boundary.1,
         violations,
         certified,
+        at_least,
         area_ratio,
         grading_p99,
         sizes: None,
@@ -129,6 +135,24 @@ pub(crate) fn measure(
         interior_points,
         samples: [shares, ratios],
     }
+}
+
+/// A maximum degree that no mesh with these boundary vertices is below: with fewer, its edges would have too many ends.
+///
+/// Every mesh of V vertices has 3V - 3c - b edges, where c is its Euler characteristic and b the number of its boundary edges, which
+/// are the same in all. With D at every vertex, twice as many are at most DV: (6 - D)V <= 6c + 2b, which more vertices only
+/// make harder. `halves` are the edges of the triangles of a mesh, sorted; `used` its vertices in triangles.
+fn counted(boundary_vertices: u64, used: i64, halves: &[(u32, u32, u32)], triangles: usize) -> u32 {
+    let ends = |half: &(u32, u32, u32)| (half.0, half.1);
+    let edges = halves.chunk_by(|a, b| ends(a) == ends(b));
+    let (mut all, mut border) = (0, 0);
+    for halves in edges {
+        all += 1;
+        border += i64::from(halves.len() == 1);
+    }
+    let most = 6 * (used - all + triangles as i64) + 2 * border;
+    let holds = |degree: &u32| i64::from(6 - degree) * boundary_vertices as i64 <= most;
+    (2..6).find(holds).unwrap_or(6)
 }
 
 /// A greater angle counts if it is so many times as large.

@@ -110,6 +110,9 @@ pub struct InteriorReport {
     pub violations: Vec<Violation>,
     /// Vertices whose degree no mesh brings into its range, in ascending order: all of them are violations.
     pub certified: Vec<CertifiedVertex>,
+    /// No mesh of this boundary and these lines has a smaller maximum degree, whatever points are inside: so many edges does
+    /// a vertex have at least, or else all edges have too many ends.
+    pub at_least: u32,
     /// The greatest ratio of the areas of two triangles with a common edge.
     pub area_ratio: f64,
     /// The 99th percentile of the square root of that ratio: how fast edge lengths change.
@@ -177,6 +180,7 @@ impl InteriorReport {
         self.corners.extend(other.corners);
         self.violations.extend(other.violations);
         self.certified.extend(other.certified);
+        self.at_least = self.at_least.max(other.at_least);
         self.area_ratio = self.area_ratio.max(other.area_ratio);
         self.sizes = match (self.sizes, other.sizes) {
             (Some(one), Some(other)) => Some(one.with(other)),

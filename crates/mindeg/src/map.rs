@@ -25,6 +25,9 @@ const WORK: f64 = 0.0625;
 /// Where several meshes are tried, the share of the work of one.
 const TRY: f64 = 0.125;
 
+/// Beyond so many vertices a larger angle is not tried for: a try takes as long as a share of the search for the degree.
+const FEW: u32 = 250;
+
 /// A mesh of a map, and what is known of its degrees.
 pub(crate) struct MapMesh {
     pub(crate) mesh: BoundaryMesh,
@@ -86,9 +89,21 @@ pub(crate) fn mesh_map(
     Ok(MapMesh { mesh, bound, at_least, rings, delaunay_min_angle })
 }
 
-/// The mesh of the least degree that is found.
+/// The mesh of the least degree that is found; of a map that is not large, one with a larger angle, if short tries find it.
 pub(crate) fn least_degree(domain: &Domain, progress: Progress<'_>) -> Result<Meshed, MeshError> {
-    Ok(least(domain, 0, 1.0, progress)?.meshed(0.0))
+    let found = least(domain, 0, 1.0, progress)?;
+    if found.mesh.vertex_count() > FEW {
+        return Ok(found.meshed(0.0));
+    }
+    let wider = SHARES.into_iter().filter(|&share| share > 0.0);
+    let (limit, at_least) = (found.max_degree(), found.at_least);
+    let larger = within(domain, wider, limit, progress)?;
+    let larger = larger.map(|meshed| Meshed {
+        least_max_degree: at_least,
+        is_least_proven: at_least == meshed.mesh.max_total_degree(),
+        ..meshed
+    });
+    Ok(larger.unwrap_or_else(|| found.meshed(0.0)))
 }
 
 /// The mesh of the least degree that is found, down to a limit.

@@ -27,8 +27,6 @@ struct Summary<'a> {
     vertices: usize,
     #[serde(flatten)]
     reached: InteriorAnswer,
-    /// With interior points the least is not known.
-    least_max_degree: Option<u32>,
     limit: LimitAnswer,
     /// "interior": how the mesh was found.
     found_by: &'static str,
@@ -105,7 +103,6 @@ pub(super) fn run(
         boundary_vertices: domain.rings().vertex_count(),
         vertices: mesh.positions().len(),
         reached: InteriorAnswer::from(&found),
-        least_max_degree: None,
         limit: lifting.answer(),
         found_by: "interior",
         reversed: domain.was_reversed(),
@@ -144,7 +141,6 @@ pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Res
         boundary_vertices: domains.iter().map(|domain| domain.rings().vertex_count()).sum(),
         vertices: mesh.positions().len(),
         reached: InteriorAnswer::from(&found),
-        least_max_degree: None,
         limit: lifting.answer(),
         found_by: "interior",
         reversed: false,

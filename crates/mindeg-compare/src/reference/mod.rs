@@ -8,9 +8,10 @@
 mod ear_clipping;
 mod fan;
 
+use crate::regions;
 use mindeg::Domain;
 use mindeg_delaunay::DelaunayError;
-use mindeg_mesh::planar::PlanarBoundary;
+use mindeg_mesh::planar::{Border, PlanarBoundary};
 use mindeg_mesh::{Progress, Step};
 use std::ops::ControlFlow;
 use std::sync::mpsc::{self, RecvTimeoutError};
@@ -67,6 +68,11 @@ pub enum NoTriangulation {
     /// The fan: only of a convex domain.
     #[error("a fan round one vertex covers convex domains only")]
     NotConvex,
+    /// Ear clipping: lines or points inside a region.
+    #[error(
+        "ear clipping takes rings alone, and a region has a line that ends inside it, or a point inside"
+    )]
+    Inside,
     /// The fan: round every vertex some triangle is flat.
     #[error(
         "round every vertex some triangle would be flat; a fan needs a side of exactly 2 \
@@ -88,10 +94,11 @@ impl Reference {
     /// All of them, in the order of a report.
     pub const ALL: [Self; 3] = [Self::Delaunay, Self::EarClipping, Self::Fan];
 
-    /// The methods that a domain is compared with, in the order of a report: the fan only if it is convex.
+    /// The methods that a domain is compared with, in the order of a report: the fan only if it is convex and no map.
     #[must_use]
     pub fn of(domain: &Domain) -> &'static [Self] {
-        if domain.convex().is_some() { &Self::ALL } else { &Self::ALL[..2] }
+        let is_convex = domain.convex().is_some() && !domain.is_map();
+        if is_convex { &Self::ALL } else { &Self::ALL[..2] }
     }
 
     /// The name in reports.
@@ -122,7 +129,8 @@ impl Reference {
         }
     }
 
-    /// The method's triangles on the given boundary points, unchecked.
+    /// The method's triangles on the given boundary points, unchecked; of a map, those of each region by itself, so that
+    /// all methods keep the same lines.
     ///
     /// The work is done on a thread of its own, see the module's limits.
     ///
@@ -188,9 +196,40 @@ impl Reference {
         boundary: &PlanarBoundary,
         deadline: Deadline,
     ) -> Result<Vec<[u32; 3]>, NoTriangulation> {
+        if domain.is_map() {
+            return self.run_on_regions(domain, boundary, deadline);
+        }
+        self.run_on_rings(domain, boundary, deadline)
+    }
+
+    /// The triangles of each region of a map, by the vertices of the map.
+    fn run_on_regions(
+        self,
+        domain: &Domain,
+        boundary: &PlanarBoundary,
+        deadline: Deadline,
+    ) -> Result<Vec<[u32; 3]>, NoTriangulation> {
+        let mut triangles = Vec::new();
+        for Border { boundary, vertices, .. } in regions::borders(domain, boundary) {
+            let own = self.run_on_rings(domain, &boundary, deadline)?;
+            triangles
+                .extend(own.iter().map(|triangle| triangle.map(|place| vertices[place as usize])));
+        }
+        Ok(triangles)
+    }
+
+    fn run_on_rings(
+        self,
+        domain: &Domain,
+        boundary: &PlanarBoundary,
+        deadline: Deadline,
+    ) -> Result<Vec<[u32; 3]>, NoTriangulation> {
         match self {
             Self::Delaunay => delaunay(boundary, deadline),
             Self::EarClipping => {
+                if !boundary.segments().is_empty() || !boundary.inner_points().is_empty() {
+                    return Err(NoTriangulation::Inside);
+                }
                 let holes: Vec<u32> = boundary.rings().skip(1).map(|ring| ring.start).collect();
                 Ok(ear_clipping::triangulate(boundary.points(), &holes))
             }

@@ -64,6 +64,7 @@ struct Page<'a> {
     verdict: Verdict,
     choice: Table,
     command: String,
+    is_map: bool,
     curve: Option<String>,
     main_figures: Vec<Figure<'a>>,
     other_figures: Vec<Figure<'a>>,
@@ -163,12 +164,15 @@ pub fn write_linked_html(
         facts: facts(
             &report.domain.intervals,
             report.domain.holes,
+            report.domain.regions,
+            [report.domain.vertices, report.domain.triangles],
             report.domain.at_least,
             report.domain.least_max_degree.is_some(),
         ),
         verdict: verdict(report),
         choice: tables::choice(report),
         command: advised_command(input.unwrap_or("DOMAIN.json")),
+        is_map: report.domain.regions.is_some(),
         curve: comparison.trade_off().map(|curve| small_curve(report, curve)).transpose()?,
         main_figures,
         other_figures,
@@ -235,27 +239,44 @@ pub(super) fn script_safe(json: &str) -> String {
 }
 
 /// The domain in a line; its least maximum degree is that, or a bound.
-pub(super) fn facts(intervals: &[u32], holes: u32, least: u32, is_proven: bool) -> String {
+pub(super) fn facts(
+    intervals: &[u32],
+    holes: u32,
+    regions: Option<u32>,
+    [vertices, triangles]: [u32; 2],
+    least: u32,
+    is_proven: bool,
+) -> String {
     let sides = intervals.len();
     let listed: Vec<String> =
         intervals.iter().take(MAX_SIDES_LISTED).map(|&intervals| count(intervals)).collect();
     let more = if sides > MAX_SIDES_LISTED { ", …" } else { "" };
-    let vertices = intervals.iter().sum::<u32>();
     let holes_in_words = match holes {
         0 => String::new(),
         1 => " · 1 hole".to_owned(),
         holes => format!(" · {} holes", count(holes)),
     };
+    let regions_in_words = match regions {
+        None => String::new(),
+        Some(1) => " · 1 region".to_owned(),
+        Some(regions) => format!(" · {} regions", count(regions)),
+    };
     format!(
-        "{sides} {} with {}{more} intervals{holes_in_words} · {} boundary vertices · {} triangles · \
+        "{sides} {} with {}{more} intervals{holes_in_words}{regions_in_words} · {} {} · {} triangles · \
          least possible maximum degree {}{}",
         if sides == 1 { "side" } else { "sides" },
         listed.join(", "),
         count(vertices),
-        count(vertices + 2 * holes - 2),
+        vertex_words(regions),
+        count(triangles),
         count(least),
         if is_proven { "" } else { " or more" }
     )
+}
+
+/// Vertices: a map has some inside.
+pub(super) fn vertex_words(regions: Option<u32>) -> &'static str {
+    if regions.is_some() { "vertices" } else { "boundary vertices" }
 }
 
 /// The meshes that the verdict compares, the advised one first, and the others.

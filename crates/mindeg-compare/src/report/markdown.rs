@@ -2,6 +2,7 @@
 //!
 //! Limits: tables need a reader that knows GitHub's extension. No pictures.
 
+use super::html::vertex_words;
 use super::tables::{self, Table};
 use crate::Comparison;
 use crate::verdict::verdict;
@@ -33,9 +34,10 @@ pub fn write_markdown(comparison: &Comparison, mut out: impl Write) -> io::Resul
     writeln!(out, "# Comparison: {}\n", escaped(domain.name.as_deref().unwrap_or("domain")))?;
     writeln!(
         out,
-        "{} boundary vertices, {} triangles, {} interior edges. The least maximum degree that \
+        "{} {}, {} triangles, {} interior edges. The least maximum degree that \
          any triangulation of this domain can have is {}{}.\n",
         count(domain.vertices),
+        vertex_words(domain.regions),
         count(domain.triangles),
         count(domain.interior_edges),
         count(domain.at_least),

@@ -117,8 +117,8 @@ pub(crate) fn of_comparison(comparison: &Comparison) -> Picture {
     let vertex_count = points.len() as u32;
     picture(&Scene {
         outlines: comparison.outlines().to_vec(),
-        fills_outlines: true,
-        is_ring: report.domain.holes == 0,
+        fills_outlines: report.domain.regions.is_none(),
+        is_ring: report.domain.holes == 0 && report.domain.regions.is_none(),
         points,
         vertices: (0..vertex_count).collect(),
         at_least: Some(report.domain.at_least),

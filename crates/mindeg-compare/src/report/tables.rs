@@ -403,6 +403,7 @@ mod tests {
             interior_edges: 0,
             at_least: 4,
             holes: 0,
+            regions: None,
             least_max_degree: Some(4),
         };
         let method = MethodFigures {

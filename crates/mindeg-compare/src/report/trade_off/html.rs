@@ -8,6 +8,7 @@ use super::super::svg::{self, CURVE_STYLE, DegreeColor, Marks};
 use super::super::tables::Table;
 use super::super::viewer::STYLE;
 use super::spread;
+use crate::regions::{holes, regions};
 use askama::Template;
 use glam::DVec2;
 use mindeg::Bounds;
@@ -111,7 +112,9 @@ pub fn write_trade_off_html(trade_off: &TradeOff, mut out: impl Write) -> io::Re
         style: svg::page_style(&[STYLE, CURVE_STYLE, MESHES_STYLE]),
         facts: facts(
             &intervals,
-            domain.rings().ring_count() as u32 - 1,
+            holes(domain),
+            regions(domain),
+            [meshes[0].mesh.vertex_count(), meshes[0].mesh.triangle_count()],
             meshes[0].max_degree,
             trade_off.is_exact(),
         ),

@@ -2,9 +2,10 @@
 //!
 //! Limits: eight meshes at most, evenly chosen.
 
-use super::super::html::rendered;
+use super::super::html::{rendered, vertex_words};
 use super::super::svg::{self, CURVE_STYLE, Curve, Marks};
 use super::spread;
+use crate::regions::regions;
 use askama::Template;
 use glam::DVec2;
 use mindeg::Bounds;
@@ -100,8 +101,9 @@ pub fn write_trade_off_svg(trade_off: &TradeOff, mut out: impl Write) -> io::Res
     let height = first_row + rows as f64 * (drawn_height + CAPTION) + LEGEND;
 
     let mut summary = format!(
-        "{} boundary vertices · the largest minimum angle {}for each maximum degree",
-        count(trade_off.domain().rings().vertex_count()),
+        "{} {} · the largest minimum angle {}for each maximum degree",
+        count(meshes[0].mesh.vertex_count()),
+        vertex_words(regions(trade_off.domain())),
         if trade_off.is_exact() { "" } else { "that windows reach " }
     );
     if let Some(stretch) = at_origin.stretch() {
