@@ -6,11 +6,11 @@
 //!
 //! Lines are `segments` (a row of two indices each), `segment_groups` (the index of the name of each, `int32`) and
 //! `segment_names`; groups `triangle_groups` and `triangle_names`; named vertices `named_points` and `point_names`. They
-//! are there if the mesh has any.
+//! are there if the mesh has any, and read again; -1 is no name.
 //!
 //! Compressed arrays (`numpy.savez_compressed`) are read, too.
 //!
-//! Limits: names, groups and lines are not read.
+//! Limits: materials and the name of the mesh are not in it.
 
 mod array;
 mod read;

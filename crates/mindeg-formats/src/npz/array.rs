@@ -29,9 +29,20 @@ pub(super) struct Array<'a> {
     numbers: Cow<'a, [u8]>,
 }
 
-impl<'a> Array<'a> {
-    /// An array of two dimensions, or of one as a row, that starts at an offset of the file.
-    pub(super) fn new(offset: usize, bytes: Cow<'a, [u8]>) -> Result<Self, ReadError> {
+/// What the head of an array says.
+struct Head {
+    /// The type without the byte order.
+    kind: String,
+    is_big: bool,
+    is_transposed: bool,
+    /// One dimension is a row.
+    shape: [usize; 2],
+    /// The number of bytes before the numbers.
+    len: usize,
+}
+
+impl Head {
+    fn read(offset: usize, bytes: &[u8]) -> Result<Self, ReadError> {
         let problem = |problem: &str| ReadError::byte(offset, problem.to_owned());
         let broken = || problem("this is not the head of an array of numpy");
         let rest = bytes.strip_prefix(b"\x93NUMPY").ok_or_else(broken)?;
@@ -54,11 +65,6 @@ impl<'a> Array<'a> {
         if kind == "O" {
             return Err(problem("the array is pickled, which is not read"));
         }
-        let scalar = Scalar::of_name(kind, ["i", "u", "f"], 1).ok_or_else(|| {
-            problem(&format!(
-                "the array has the type {kind:?}; integers and floats of 16, 32 and 64 bits are read"
-            ))
-        })?;
         let is_transposed = value("fortran_order").ok_or_else(broken)?.starts_with("True");
         let shape = value("shape").and_then(|shape| shape.strip_prefix('(')?.split_once(')'));
         let (shape, _) = shape.ok_or_else(broken)?;
@@ -73,15 +79,70 @@ impl<'a> Array<'a> {
                 return Err(problem(&format!("the array has {count} dimensions, not 2")));
             }
         };
-        let len = rows.checked_mul(columns).and_then(|count| count.checked_mul(scalar.len()));
-        if len != Some(numbers.len()) {
-            return Err(problem(&format!(
-                "the array has {} bytes, which is not what its shape ({shape}) takes",
-                numbers.len()
-            )));
+        let (shape, len) = ([rows, columns], bytes.len() - numbers.len());
+        Ok(Self { kind: kind.to_owned(), is_big, is_transposed, shape, len })
+    }
+
+    /// The number of items of so many bytes each, which are all that follows.
+    fn count(&self, offset: usize, item: usize, bytes: &[u8]) -> Result<usize, ReadError> {
+        let [rows, columns] = self.shape;
+        let (count, found) = (rows.checked_mul(columns), bytes.len() - self.len);
+        match count {
+            Some(count) if count.checked_mul(item) == Some(found) => Ok(count),
+            _ => Err(ReadError::byte(
+                offset,
+                format!(
+                    "the array has {found} bytes, which is not what its shape ({rows}, {columns}) takes"
+                ),
+            )),
         }
-        let shape = [rows, columns];
-        let start = bytes.len() - numbers.len();
+    }
+}
+
+/// The texts of an array of one dimension that starts at an offset of the file.
+pub(super) fn texts(offset: usize, bytes: &[u8]) -> Result<Vec<String>, ReadError> {
+    let head = Head::read(offset, bytes)?;
+    let problem = |problem: String| ReadError::byte(offset, problem);
+    let letters = head.kind.strip_prefix('U').and_then(|letters| letters.parse::<usize>().ok());
+    let item = letters.and_then(|letters| letters.checked_mul(4));
+    let item = item
+        .ok_or_else(|| problem(format!("the array has the type {:?}, expected text", head.kind)))?;
+    let count = head.count(offset, item, bytes)?;
+    let text = |bytes: &[u8]| {
+        let letter = |bytes: &[u8; 4]| match head.is_big {
+            true => u32::from_be_bytes(*bytes),
+            false => u32::from_le_bytes(*bytes),
+        };
+        let (letters, _) = bytes.as_chunks::<4>();
+        let text: Option<String> =
+            letters.iter().map(|bytes| char::from_u32(letter(bytes))).collect();
+        // A text is filled up with zeros.
+        text.map(|text| text.trim_end_matches('\0').to_owned())
+    };
+    let (start, mut texts) = (head.len, Vec::new());
+    texts.try_reserve_exact(count)?;
+    for index in 0..count {
+        let text = text(&bytes[start + index * item..][..item]);
+        texts.push(text.ok_or_else(|| {
+            problem(format!("text {index} has letters that Unicode does not know"))
+        })?);
+    }
+    Ok(texts)
+}
+
+impl<'a> Array<'a> {
+    /// An array of two dimensions, or of one as a row, that starts at an offset of the file.
+    pub(super) fn new(offset: usize, bytes: Cow<'a, [u8]>) -> Result<Self, ReadError> {
+        let head = Head::read(offset, &bytes)?;
+        let Head { kind, is_big, is_transposed, shape, len: start } = &head;
+        let scalar = Scalar::of_name(kind, ["i", "u", "f"], 1).ok_or_else(|| {
+            let problem = format!(
+                "the array has the type {kind:?}; integers and floats of 16, 32 and 64 bits are read"
+            );
+            ReadError::byte(offset, problem)
+        })?;
+        head.count(offset, scalar.len(), &bytes)?;
+        let (is_big, is_transposed, shape, start) = (*is_big, *is_transposed, *shape, *start);
         let numbers = match bytes {
             Cow::Borrowed(bytes) => Cow::Borrowed(&bytes[start..]),
             Cow::Owned(mut bytes) => {

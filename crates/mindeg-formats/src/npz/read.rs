@@ -1,18 +1,20 @@
 //! Reading NPZ.
 
-use super::array::Array;
+use super::array::{Array, texts};
 use super::zip::{archive, entry};
 use crate::ReadError;
 use crate::field::Raster;
+use crate::runs::{Runs, Segments};
 use glam::{DVec2, DVec3};
-use mindeg_mesh::TriMesh;
+use mindeg_mesh::{NamedVertex, TriMesh};
 use std::io::{Cursor, Read};
 use zip::ZipArchive;
 
 /// Reads a mesh from an NPZ: `points`, of two or three columns, and `triangles`, of three.
 ///
 /// Both may be integers or floats of up to 64 bits, in either byte and array order; the numbers of
-/// triangles are whole. Other arrays are passed over. The file is held in memory; O(n) time.
+/// triangles are whole. Lines, groups and named vertices are read as mindeg writes them, where the numbers and the names are there;
+/// other arrays are passed over. The file is held in memory; O(n) time.
 ///
 /// # Errors
 ///
@@ -51,10 +53,102 @@ pub fn read(mut input: impl Read) -> Result<TriMesh, ReadError> {
         let z = if columns == 3 { points.float(row, 2) } else { 0.0 };
         positions.push(DVec3::new(points.float(row, 0), points.float(row, 1), z));
     }
-    let corners = corners(&triangles, rows)?;
+    let corners = indices("triangles", &triangles, rows)?;
     let largest = positions.iter().map(|p| p.abs().max_element()).fold(0.0, f64::max);
-    let mesh = TriMesh::new(positions, corners)?;
-    Ok(mesh.with_rounding(largest * points.rounding()))
+    let mut mesh = TriMesh::new(positions, corners)?.with_rounding(largest * points.rounding());
+    let mut note = None;
+    let mut elements = Named { file: &file, archive: &mut archive };
+    if let Some((groups, names)) = elements.pair("triangle_groups", "triangle_names")? {
+        let mut runs = Runs::default();
+        for triangle in 0..length("triangle_groups", &groups, mesh.triangles().len())? {
+            let (of, name) = named("triangle_groups", &groups, triangle, &names)?;
+            runs.push(of, triangle + 1, || name.to_owned())?;
+        }
+        (mesh, note) = runs.give_to(mesh, "groups");
+    }
+    if let Some((groups, names)) = elements.pair("segment_groups", "segment_names")?
+        && let Some(ends) = elements.array("segments")?
+    {
+        let ends = indices("segments", &ends, rows)?;
+        let mut segments = Segments::default();
+        for segment in 0..length("segment_groups", &groups, ends.len())? {
+            let (of, name) = named("segment_groups", &groups, segment, &names)?;
+            segments.push(of, ends[segment], || name.to_owned())?;
+        }
+        let (lines, segments) = segments.into_lines();
+        mesh = mesh.with_lines(lines, segments)?;
+    }
+    if let Some((vertices, names)) = elements.pair("named_points", "point_names")? {
+        let mut points = Vec::new();
+        for point in 0..length("named_points", &vertices, names.len())? {
+            let vertex = index(&vertices, [0, point], rows)
+                .map_err(|problem| ReadError::place(format!("named_points[{point}]"), problem))?;
+            points.push(NamedVertex { vertex, name: names[point].clone() });
+        }
+        mesh = mesh.with_named_vertices(points)?;
+    }
+    Ok(mesh.with_notes(note.into_iter().collect()))
+}
+
+/// The arrays of names and of what has them.
+struct Named<'f, 'a> {
+    file: &'f [u8],
+    archive: &'a mut ZipArchive<Cursor<&'f [u8]>>,
+}
+
+impl<'f> Named<'f, '_> {
+    fn array(&mut self, name: &str) -> Result<Option<Array<'f>>, ReadError> {
+        let found = entry(self.file, self.archive, &format!("{name}.npy"))?;
+        found.map(|(offset, bytes)| Array::new(offset, bytes)).transpose()
+    }
+
+    /// An array of numbers and one of names, if both are there.
+    fn pair(
+        &mut self,
+        numbers: &str,
+        names: &str,
+    ) -> Result<Option<(Array<'f>, Vec<String>)>, ReadError> {
+        let Some((offset, bytes)) = entry(self.file, self.archive, &format!("{names}.npy"))? else {
+            return Ok(None);
+        };
+        let Some(numbers) = self.array(numbers)? else { return Ok(None) };
+        let names =
+            texts(offset, &bytes).map_err(|error| ReadError::place(names, error.to_string()))?;
+        Ok(Some((numbers, names)))
+    }
+}
+
+/// The length of an array of one dimension, which is so long.
+fn length(name: &str, array: &Array<'_>, expected: usize) -> Result<usize, ReadError> {
+    match array.shape() {
+        [1, length] if length == expected => Ok(length),
+        [rows, columns] => {
+            let problem = format!("has the shape ({rows}, {columns}), expected {expected} numbers");
+            Err(ReadError::place(name, problem))
+        }
+    }
+}
+
+/// The index of the name of an item and the name; -1 and an empty one of an item without.
+fn named<'n>(
+    array: &str,
+    groups: &Array<'_>,
+    item: usize,
+    names: &'n [String],
+) -> Result<(i64, &'n str), ReadError> {
+    let wrong = |found: String| {
+        let problem =
+            format!("is {found}; there are {} names, from 0, and -1 is none", names.len());
+        ReadError::place(format!("{array}[{item}]"), problem)
+    };
+    match groups.index(0, item) {
+        Ok(index) => {
+            let name = names.get(index as usize).ok_or_else(|| wrong(index.to_string()))?;
+            Ok((i64::from(index), name))
+        }
+        Err(none) if none == "-1" => Ok((-1, "")),
+        Err(found) => Err(wrong(found)),
+    }
 }
 
 /// Reads a grid from an NPZ: `values`, a row for each y, with `origin` and `spacing`, each x and y.
@@ -98,28 +192,143 @@ fn array<'a>(
     Array::new(offset, bytes)
 }
 
-fn corners(triangles: &Array<'_>, vertices: usize) -> Result<Vec<[u32; 3]>, ReadError> {
-    let [rows, columns] = triangles.shape();
-    if columns != 3 {
-        return Err(ReadError::place("triangles", format!("has {columns} columns, not 3")));
+/// An array with rows of indices of vertices.
+fn indices<const N: usize>(
+    name: &str,
+    array: &Array<'_>,
+    vertices: usize,
+) -> Result<Vec<[u32; N]>, ReadError> {
+    let [rows, columns] = array.shape();
+    if columns != N {
+        return Err(ReadError::place(name, format!("has {columns} columns, not {N}")));
     }
-    let mut corners = Vec::new();
-    corners.try_reserve_exact(rows)?;
+    let mut all = Vec::new();
+    all.try_reserve_exact(rows)?;
     for row in 0..rows {
-        let mut triangle = [0; 3];
-        for (column, corner) in triangle.iter_mut().enumerate() {
-            let index = triangles.index(row, column);
-            let index = index.and_then(|index| match (index as usize) < vertices {
-                true => Ok(index),
-                false => Err(index.to_string()),
-            });
-            *corner = index.map_err(|index| {
-                let place = format!("triangles[{row}, {column}]");
-                let problem = format!("is {index}; there are {vertices} points, from 0");
-                ReadError::place(place, problem)
-            })?;
+        let mut indices = [0; N];
+        for (column, found) in indices.iter_mut().enumerate() {
+            *found = index(array, [row, column], vertices)
+                .map_err(|problem| ReadError::place(format!("{name}[{row}, {column}]"), problem))?;
         }
-        corners.push(triangle);
+        all.push(indices);
     }
-    Ok(corners)
+    Ok(all)
+}
+
+/// The index of a vertex, or why it is none.
+fn index(array: &Array<'_>, [row, column]: [usize; 2], vertices: usize) -> Result<u32, String> {
+    let index = array.index(row, column);
+    let index = index.and_then(|index| match (index as usize) < vertices {
+        true => Ok(index),
+        false => Err(index.to_string()),
+    });
+    index.map_err(|index| format!("is {index}; there are {vertices} points, from 0"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::npz::array::head;
+    use crate::npz::zip::Archive;
+    use crate::{Format, WriteOptions, write};
+    use mindeg_mesh::{Group, Line};
+
+    fn square() -> TriMesh {
+        let points = vec![DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y, DVec3::Y];
+        TriMesh::new(points, vec![[0, 1, 2], [0, 2, 3]]).unwrap()
+    }
+
+    fn file(mesh: &TriMesh) -> Vec<u8> {
+        let mut file = Vec::new();
+        write(Format::Npz, mesh, &WriteOptions::default(), &mut file).unwrap();
+        file
+    }
+
+    #[test]
+    fn names_are_read_again() {
+        let line =
+            |name: &str, segments| Line { name: name.to_owned(), segments, is_straight: false };
+        let named = |vertex, name: &str| NamedVertex { vertex, name: name.to_owned() };
+        let mesh = square()
+            .with_groups(vec![
+                Group::new("água".to_owned(), 0..1),
+                Group::new("b".to_owned(), 1..2),
+            ])
+            .with_lines(vec![line("side", 0..2), line("", 2..3)], vec![[0, 1], [1, 2], [0, 2]])
+            .and_then(|mesh| mesh.with_named_vertices(vec![named(3, "gauge"), named(0, "g")]))
+            .unwrap();
+        let read = read(&file(&mesh)[..]).unwrap();
+        let parts = |mesh: &TriMesh| {
+            let groups =
+                mesh.groups().iter().map(|group| (group.name.clone(), group.triangles.clone()));
+            let lines = mindeg_mesh::Triangles::lines(mesh).to_vec();
+            let named = mindeg_mesh::Triangles::named_vertices(mesh).to_vec();
+            (groups.collect::<Vec<_>>(), lines, named)
+        };
+        assert_eq!(parts(&read), parts(&mesh));
+        assert_eq!(file(&read), file(&mesh));
+    }
+
+    #[test]
+    fn names_that_do_not_fit_are_told() {
+        let names: Vec<u8> = ['a', 'b'].iter().flat_map(|c| u32::from(*c).to_le_bytes()).collect();
+        let numbers =
+            |numbers: &[i32]| numbers.iter().flat_map(|n| n.to_le_bytes()).collect::<Vec<u8>>();
+        let read = |groups: (Vec<u8>, Vec<u8>), kind: &str, names: &[u8]| {
+            let mut written = Vec::new();
+            let mut archive = Archive::new(&mut written);
+            let points: Vec<u8> =
+                [0.0_f64, 0.0, 1.0, 0.0, 0.0, 1.0].iter().flat_map(|x| x.to_le_bytes()).collect();
+            let triangles = numbers(&[0, 1, 2]);
+            for (name, head, body) in [
+                ("points.npy", head("<f8", 3, Some(2)), &points[..]),
+                ("triangles.npy", head("<i4", 1, Some(3)), &triangles),
+                ("triangle_groups.npy", groups.0, &groups.1),
+                ("triangle_names.npy", head(kind, 2, None), names),
+            ] {
+                let len = (head.len() + body.len()) as u64;
+                archive
+                    .entry(name, len, |mut out| {
+                        std::io::Write::write_all(&mut out, &head)?;
+                        std::io::Write::write_all(&mut out, body)
+                    })
+                    .unwrap();
+            }
+            archive.finish().unwrap();
+            super::read(&written[..])
+                .map(|mesh| mesh.groups().first().map(|group| group.name.clone()))
+        };
+        let of = |index: i32| (head("<i4", 1, None), numbers(&[index]));
+        assert_eq!(read(of(1), "<U1", &names).unwrap().as_deref(), Some("b"));
+        assert_eq!(read(of(-1), "<U1", &names).unwrap().as_deref(), Some(""));
+        let big: Vec<u8> =
+            names.chunks(4).flat_map(|letter| letter.iter().rev().copied()).collect();
+        assert_eq!(read(of(0), ">U1", &big).unwrap().as_deref(), Some("a"));
+        for (groups, kind, names, problem) in [
+            (
+                of(2),
+                "<U1",
+                &names[..],
+                "triangle_groups[0]: is 2; there are 2 names, from 0, and -1 is none",
+            ),
+            (of(0), "<i4", &names, "expected text"),
+            (of(0), "<U2", &names, "is not what its shape"),
+            (of(0), "<U99999999999999999999", &names, "expected text"),
+            (
+                of(0),
+                "<U1",
+                &[0, 0, 0, 0, 0, 216, 0, 0],
+                "text 1 has letters that Unicode does not know",
+            ),
+            (
+                (head("<i4", 2, None), numbers(&[0, 0])),
+                "<U1",
+                &names,
+                "triangle_groups: has the shape (1, 2), expected 1 numbers",
+            ),
+        ] {
+            let error = read(groups, kind, names).unwrap_err().to_string();
+            assert!(error.contains(problem), "{error}");
+        }
+    }
 }
