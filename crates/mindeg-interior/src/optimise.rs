@@ -71,6 +71,11 @@ pub(crate) fn smooth_and_mend<S: Manifold>(
     Ok(())
 }
 
+/// True if no degree and no angle leaves anything to be desired.
+pub(crate) fn is_done<S: Manifold>(mesh: &ArrayMesh<S>, weights: &Weights) -> bool {
+    needy(mesh, weights, Need::Any).is_empty()
+}
+
 /// The vertices where something is wrong, ascending.
 fn needy<S: Manifold>(mesh: &ArrayMesh<S>, weights: &Weights, need: Need) -> VecDeque<u32> {
     let mut is_needy: Vec<bool> = (0..)

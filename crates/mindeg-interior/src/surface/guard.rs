@@ -2,6 +2,7 @@
 
 use crate::array_mesh::{ArrayMesh, Kind};
 use crate::surface::reference::{OnSurface, Reference, Witness};
+use crate::surface::walk::squared_distance;
 use glam::DVec3;
 use mindeg_mesh::Bounds;
 
@@ -119,7 +120,7 @@ pub(crate) fn is_far(mesh: &ArrayMesh<OnSurface<'_>>, t: u32) -> bool {
     let normal = (b - a).cross(c - a).normalize_or_zero();
     let near = mesh.vertices[triangle.vertices[0] as usize].at.near;
     [(a + b + c) / 3.0, a.midpoint(b), b.midpoint(c), c.midpoint(a)].into_iter().any(|point| {
-        let foot = reference.surface.nearest(triangle.patch, point, Some(normal), near);
+        let foot = reference.foot(triangle.patch, point, normal, near);
         foot.distance > reference.tolerance || foot.normal.dot(normal) <= FACES
     })
 }
@@ -146,23 +147,4 @@ fn bends(mesh: &ArrayMesh<OnSurface<'_>>, t: u32, [cosine, share]: [f64; 2]) -> 
         };
         here && one.normal.dot(normal) < turned || off.abs() > chord
     }) || !is_known
-}
-
-/// The squared distance from a point to a triangle.
-pub(crate) fn squared_distance(p: DVec3, [a, b, c]: [DVec3; 3]) -> f64 {
-    let (ab, ac, ap) = (b - a, c - a, p - a);
-    let normal = ab.cross(ac);
-    let square = normal.length_squared();
-    // Inside all three edges: the distance to the plane.
-    let left = |from: DVec3, to: DVec3| (to - from).cross(p - from).dot(normal) >= 0.0;
-    if square > 0.0 && left(a, b) && left(b, c) && left(c, a) {
-        let height = ap.dot(normal);
-        return height * height / square;
-    }
-    let to_edge = |from: DVec3, to: DVec3| {
-        let edge = to - from;
-        let share = ((p - from).dot(edge) / edge.length_squared()).clamp(0.0, 1.0);
-        p.distance_squared(from + edge * share)
-    };
-    to_edge(a, b).min(to_edge(b, c)).min(to_edge(c, a))
 }

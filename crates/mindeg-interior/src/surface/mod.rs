@@ -7,6 +7,7 @@ mod passes;
 mod reference;
 mod remeshed;
 mod sectors;
+mod walk;
 mod work;
 
 pub use remeshed::{

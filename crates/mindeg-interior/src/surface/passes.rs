@@ -34,6 +34,10 @@ pub(crate) fn passes<'a>(
     weights: &Weights,
     stage: &mut Stage<'_>,
 ) -> Result<Result<SurfaceMesh<'a>, String>, Cancelled> {
+    mesh = match compacted(&mesh) {
+        Ok(mesh) => mesh,
+        Err(error) => return Ok(Err(error)),
+    };
     for pass in 0..PASSES {
         stage.reach(pass as f64 / PASSES as f64)?;
         split_long(&mut mesh);

@@ -2,6 +2,7 @@
 
 use crate::space::Space;
 use crate::surface::kept::sizes_beside;
+use crate::surface::walk::walk;
 use glam::DVec3;
 use mindeg_mesh::{Bounds, BoxTree};
 use mindeg_surfaces::{Foot, NONE, Surface};
@@ -58,6 +59,8 @@ pub(crate) struct Witness {
     pub(crate) patch: u32,
 }
 
+/// A walk that ends within so many sizes has found the foot.
+const NEAR: f64 = 0.3;
 /// Witnesses are about so many sizes apart.
 const APART: f64 = 0.2;
 
@@ -93,6 +96,9 @@ impl Reference {
 
     /// The foot of a point on a patch, on triangles that face `normal` if one is near.
     pub(crate) fn foot(&self, patch: u32, point: DVec3, normal: DVec3, near: u32) -> Foot {
+        if let Some(foot) = walk(&self.surface, patch, point, normal, near, NEAR * self.size) {
+            return foot;
+        }
         let facing = (normal != DVec3::ZERO).then_some(normal);
         let foot = self.surface.nearest(patch, point, facing, near);
         if facing.is_some() && foot.distance > self.size {

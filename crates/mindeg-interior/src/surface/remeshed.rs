@@ -2,7 +2,7 @@
 
 use crate::array_mesh::{Kind, NONE};
 use crate::goal::Weights;
-use crate::optimise::{Pairs, optimise};
+use crate::optimise::{Pairs, is_done, optimise};
 use crate::options::Options;
 use crate::stage::Stage;
 use crate::surface::guard::is_far;
@@ -190,9 +190,12 @@ pub fn remesh(
     optimise(&mut mesh, &single, None, &mut stage)?;
     mesh = compacted(&mesh).map_err(RemeshError::BadMesh)?;
     stage.section(1.0);
+    let angles = Weights::pairs(&wanted, floor);
     let pairs = Pairs { vertices: 150, firsts: 6, trials: 0, most: 30_000 };
-    optimise(&mut mesh, &Weights::pairs(&wanted, floor), Some(pairs), &mut stage)?;
-    mesh = compacted(&mesh).map_err(RemeshError::BadMesh)?;
+    if !is_done(&mesh, &angles) {
+        optimise(&mut mesh, &angles, Some(pairs), &mut stage)?;
+        mesh = compacted(&mesh).map_err(RemeshError::BadMesh)?;
+    }
     mesh.check().map_err(RemeshError::BadMesh)?;
     stage.reach(1.0)?;
     Ok(remeshed(&mesh, floor))

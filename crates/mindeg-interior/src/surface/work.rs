@@ -58,15 +58,36 @@ pub(crate) fn work_mesh<'a>(
     Ok(mesh)
 }
 
-/// The same mesh without what is dead.
+/// The same mesh without what is dead, neighbours near each other in memory.
 pub(crate) fn compacted<'a>(mesh: &SurfaceMesh<'a>) -> Result<SurfaceMesh<'a>, String> {
+    let mut order = Vec::with_capacity(mesh.triangles.len());
+    let mut is_met = vec![false; mesh.triangles.len()];
+    for start in 0..mesh.triangles.len() {
+        if is_met[start] || !mesh.triangles[start].is_alive() {
+            continue;
+        }
+        is_met[start] = true;
+        let mut next = order.len();
+        order.push(start);
+        while next < order.len() {
+            for neighbour in mesh.triangles[order[next]].neighbours {
+                if neighbour != NONE && !is_met[neighbour as usize] {
+                    is_met[neighbour as usize] = true;
+                    order.push(neighbour as usize);
+                }
+            }
+            next += 1;
+        }
+    }
+    let alive = || order.iter().map(|t| &mesh.triangles[*t]);
     let mut renamed = vec![NONE; mesh.vertices.len()];
     let mut vertices = Vec::new();
-    for (v, vertex) in mesh.vertices.iter().enumerate().filter(|(_, v)| v.triangles > 0) {
-        renamed[v] = vertices.len() as u32;
-        vertices.push(Vertex { anchor: NONE, triangles: 0, ..*vertex });
+    for v in alive().flat_map(|t| t.vertices) {
+        if renamed[v as usize] == NONE {
+            renamed[v as usize] = vertices.len() as u32;
+            vertices.push(Vertex { anchor: NONE, triangles: 0, ..mesh.vertices[v as usize] });
+        }
     }
-    let alive = || mesh.triangles.iter().filter(|t| t.is_alive());
     let triangles: Vec<[u32; 3]> =
         alive().map(|t| t.vertices.map(|v| renamed[v as usize])).collect();
     let patches: Vec<u32> = alive().map(|t| t.patch).collect();
