@@ -10,12 +10,12 @@ use crate::stage::Stage;
 use crate::surface::motion::neighbours_on_curve;
 use crate::surface::reference::{On, OnSurface};
 use crate::surface::work::{SurfaceMesh, compacted};
-use crate::triangle::{doubled_area, min_angle};
+use crate::triangle::{doubled_area, has_sine, min_angle};
 use glam::{DVec2, DVec3};
 use mindeg_mesh::Cancelled;
 
 /// How often all passes are made.
-pub(crate) const PASSES: usize = 8;
+pub(crate) const PASSES: usize = 5;
 /// An edge longer than this many sizes is split, one shorter than that collapses.
 const LONG: f64 = 4.0 / 3.0;
 const SHORT: f64 = 4.0 / 5.0;
@@ -199,29 +199,54 @@ fn flip(mesh: &mut SurfaceMesh<'_>, weights: &Weights) {
     }
 }
 
+/// True if a triangle may have an angle below [`FLIPPED`].
+fn is_thin(corners: [DVec3; 3]) -> bool {
+    !has_sine(corners, 0.18)
+}
+
 fn flip_if_better<'a>(
     mesh: &mut SurfaceMesh<'a>,
     cavity: &Cavity<OnSurface<'a>>,
     weights: &Weights,
 ) -> bool {
-    let cost = |mesh: &SurfaceMesh<'_>| -> f64 {
-        cavity.vertices.iter().map(|v| weights.vertex(mesh, *v).0).sum()
-    };
-    let least = |mesh: &SurfaceMesh<'_>, triangles: &[[u32; 3]]| {
+    let triangles = |v: u32| mesh.vertices[v as usize].triangles;
+    let is_counted = cavity.vertices.iter().all(|v| OnSurface::counts_triangles(mesh, *v));
+    let least = |triangles: &[[u32; 3]]| {
         let angles = triangles.iter().map(|corners| min_angle(corners.map(|v| mesh.at(v))));
         angles.fold(60.0, f64::min)
     };
-    let removed = [0, 1].map(|i| mesh.triangles[cavity.removed[i] as usize].vertices);
-    let [old, new] = [&removed[..], &cavity.added.triangles].map(|list| least(mesh, list));
+    let angles = || {
+        let removed = [0, 1].map(|i| mesh.triangles[cavity.removed[i] as usize].vertices);
+        [least(&removed), least(&cavity.added.triangles)]
+    };
+    let (change, [old, new]) = if is_counted {
+        let of = |v: u32, count: u32| {
+            let (excess, off) = (weights.excess_of(mesh, v, count), f64::from(count) - 6.0);
+            0.3 * off * off + weights.degree * f64::from(excess * excess)
+        };
+        let grown = |v: u32| triangles(v).saturating_add_signed(cavity.growth(mesh, v));
+        let change = |v: &u32| of(*v, grown(*v)) - of(*v, triangles(*v));
+        let change: f64 = cavity.vertices.iter().map(change).sum();
+        // Most edges: worse for degrees, and no angle asks.
+        if change > 1e-9 && !cavity.removed.iter().any(|t| is_thin(mesh.corners(*t))) {
+            return false;
+        }
+        (change, angles())
+    } else {
+        let cost = |mesh: &SurfaceMesh<'_>| -> f64 {
+            cavity.vertices.iter().map(|v| weights.vertex(mesh, *v).0).sum()
+        };
+        let (angles, before) = (angles(), cost(mesh));
+        mesh.record();
+        cavity.carry_out(mesh);
+        let change = cost(mesh) - before;
+        mesh.undo(0);
+        mesh.commit();
+        (change, angles)
+    };
     if new < FLIPPED && new <= old {
         return false;
     }
-    let before = cost(mesh);
-    mesh.record();
-    cavity.carry_out(mesh);
-    let change = cost(mesh) - before;
-    mesh.undo(0);
-    mesh.commit();
     let is_better =
         if old < FLIPPED { new > old } else { change < -1e-9 || change < 1e-9 && new > old + 1e-9 };
     is_better && guarded(mesh, cavity)
