@@ -148,3 +148,55 @@ fn bends(mesh: &ArrayMesh<OnSurface<'_>>, t: u32, [cosine, share]: [f64; 2]) -> 
         here && one.normal.dot(normal) < turned || off.abs() > chord
     }) || !is_known
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::stage::Stage;
+    use crate::surface::passes::passes;
+    use crate::surface::reference::Site;
+    use crate::surface::work::tests::{mesh, reference, weights};
+    use mindeg_mesh::Progress;
+
+    #[test]
+    fn a_tip_that_is_cut_off_is_noticed() {
+        let reference = reference("spike", 1.0);
+        let mut stage = Stage::new(Progress::NONE, "meshing");
+        let mut mesh = passes(mesh(&reference), &weights(), &mut stage).unwrap().unwrap();
+        let height = |v: &u32| mesh.at(*v).z;
+        let tip = (0..mesh.vertices.len() as u32).max_by(|a, b| height(a).total_cmp(&height(b)));
+        let tip = tip.unwrap();
+        let survey = Survey::of(&mesh, &[tip], true).unwrap();
+        assert!(survey.is_kept(&mesh, &[tip]));
+        let site = mesh.vertices[tip as usize].at;
+        let low = site.at - 2.0 * reference.tolerance * DVec3::Z;
+        mesh.move_to(tip, Site { at: low, ..site });
+        assert!(!survey.is_kept(&mesh, &[tip]));
+    }
+
+    #[test]
+    fn a_triangle_that_leaves_the_surface_is_noticed_though_others_did_before() {
+        let reference = reference("sphere", 1.0);
+        let mut mesh = mesh(&reference);
+        let (here, far) = (0, mesh.vertices.len() as u32 / 2);
+        let lift = |mesh: &mut ArrayMesh<OnSurface<'_>>, v: u32| {
+            let site = mesh.vertices[v as usize].at;
+            mesh.move_to(v, Site { at: site.at * 1.2, ..site });
+        };
+        lift(&mut mesh, far);
+        let survey = Survey::of(&mesh, &[here, far], false).unwrap();
+        assert!(survey.far > 0 && survey.is_kept(&mesh, &[here, far]));
+        lift(&mut mesh, here);
+        assert!(!survey.is_kept(&mesh, &[here, far]));
+    }
+
+    #[test]
+    fn moves_in_flat_parts_need_no_survey() {
+        let reference = reference("cube", 2.0);
+        let mesh = mesh(&reference);
+        let inside = mesh.vertices.iter().position(|v| v.kind == Kind::Free).unwrap() as u32;
+        assert_eq!(Survey::of(&mesh, &[inside], true), None);
+        let on_curve = mesh.vertices.iter().position(|v| v.kind == Kind::Curve).unwrap() as u32;
+        assert!(Survey::of(&mesh, &[on_curve], false).is_some());
+    }
+}

@@ -82,3 +82,48 @@ fn spread(surface: &Surface, values: &mut [f64]) {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::surface::work::tests::reference;
+
+    #[test]
+    fn sizes_follow_the_edges_of_kept_curves() {
+        let surface = reference("saddle", 2.0).surface;
+        let curves = surface.curves().len();
+        let sizes = |kept: bool| sizes_beside(&surface, &vec![kept; curves]);
+        for (v, size) in (0_u32..).zip(sizes(false)) {
+            assert_eq!(size, surface.size(v));
+        }
+        // The boundary has 30 edges on each side, a third of the size; inside it grows back.
+        let short = 2.0 / 30.0;
+        let kept = sizes(true);
+        for (v, p) in surface.points().iter().enumerate() {
+            let inside = 1.0 - p.x.abs().max(p.y.abs());
+            let size = kept[v];
+            assert!(size < surface.size(v as u32) + 1e-12);
+            if inside == 0.0 {
+                assert!((0.9 * short..1.5 * short).contains(&size), "{p} {size}");
+            } else {
+                // Along edges the way is longer.
+                let straight = GROWTH * inside * 1.7 + 1.5 * short;
+                assert!(size < straight, "{p} {size}");
+            }
+        }
+    }
+
+    #[test]
+    fn sizes_fall_from_kept_long_edges() {
+        // One edge on each side of a cube.
+        let surface = reference("cube", 1.0).surface;
+        let kept = sizes_beside(&surface, &vec![true; surface.curves().len()]);
+        for (v, p) in surface.points().iter().enumerate() {
+            let away = p.to_array().map(|x| x.min(1.0 - x));
+            let mut away = away.to_vec();
+            away.sort_by(f64::total_cmp);
+            let expected = 1.0 - GROWTH * away[1];
+            assert!(kept[v] <= 1.0 && kept[v] > expected - 0.2, "{p} {}", kept[v]);
+        }
+    }
+}

@@ -2,6 +2,9 @@
 
 mod guard;
 mod kept;
+#[cfg(test)]
+#[path = "../../examples/surfaces/models.rs"]
+mod models;
 mod motion;
 mod passes;
 mod reference;

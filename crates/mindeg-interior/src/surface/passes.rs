@@ -315,3 +315,49 @@ fn resize(mesh: &mut SurfaceMesh<'_>) {
         mesh.vertices[v].size = mesh.space.0.size_at(&foot);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::surface::work::tests::{euler, mesh, reference, weights};
+
+    #[test]
+    fn each_pass_keeps_the_invariants_and_brings_edges_nearer_to_their_lengths() {
+        for name in ["cube", "saddle", "cone", "torus"] {
+            let reference = reference(name, 2.0);
+            let mut mesh = mesh(&reference);
+            let (chi, _) = euler(&mesh);
+            let check = |mesh: &SurfaceMesh<'_>| {
+                mesh.check().unwrap();
+                assert_eq!(euler(mesh).0, chi, "{name}");
+            };
+            split_long(&mut mesh);
+            check(&mesh);
+            assert!(edges(&mesh, |ratio| ratio > LONG).is_empty(), "{name}");
+            let short = edges(&mesh, |ratio| ratio < SHORT).len();
+            collapse_short(&mut mesh);
+            check(&mesh);
+            assert!(2 * edges(&mesh, |ratio| ratio < SHORT).len() < short, "{name}");
+            let off = |mesh: &SurfaceMesh<'_>| -> f64 {
+                (0..mesh.vertices.len() as u32)
+                    .filter(|v| mesh.vertices[*v as usize].triangles > 0)
+                    .map(|v| weights().vertex(mesh, v).0)
+                    .sum()
+            };
+            let before = off(&mesh);
+            flip(&mut mesh, &weights());
+            check(&mesh);
+            assert!(off(&mesh) < before, "{name}");
+            let angles = |mesh: &SurfaceMesh<'_>| -> f64 {
+                let alive = (0..).zip(&mesh.triangles).filter(|(_, t)| t.is_alive());
+                alive.map(|(t, _)| min_angle(mesh.corners(t))).sum()
+            };
+            let before = angles(&mesh);
+            center(&mut mesh);
+            check(&mesh);
+            assert!(angles(&mesh) > before, "{name}");
+            resize(&mut mesh);
+            check(&compacted(&mesh).unwrap());
+        }
+    }
+}

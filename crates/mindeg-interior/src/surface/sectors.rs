@@ -120,3 +120,69 @@ fn beyond(count: u32, range: &RangeInclusive<u32>) -> u32 {
 pub(crate) fn angle(a: DVec3, b: DVec3) -> f64 {
     libm::atan2(a.cross(b).length(), a.dot(b)).to_degrees()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::surface::work::tests::{mesh, reference};
+
+    fn sectors(angles: &[(f64, u32)], is_closed: bool) -> Sectors {
+        let sector = |(angle, triangles): &(f64, u32)| SurfaceSector {
+            angle: *angle,
+            triangles: *triangles,
+        };
+        Sectors { sectors: angles.iter().map(sector).collect(), is_closed }
+    }
+
+    #[test]
+    fn sectors_lie_between_curves() {
+        let reference = reference("cube", 2.0);
+        let mesh = mesh(&reference);
+        for v in 0..mesh.vertices.len() as u32 {
+            let found = Sectors::of(&mesh, v);
+            let total: u32 = found.sectors.iter().map(|sector| sector.triangles).sum();
+            assert_eq!(total, mesh.vertices[v as usize].triangles);
+            let (count, each) = match mesh.vertices[v as usize].kind {
+                Kind::Fixed => (3, 90.0),
+                Kind::Curve => (2, 180.0),
+                _ => (1, 360.0),
+            };
+            assert_eq!(found.sectors.len(), count);
+            assert!(found.is_closed && found.sectors.iter().all(|s| (s.angle - each).abs() < 1e-9));
+        }
+    }
+
+    #[test]
+    fn degrees_count_by_sector_and_in_all() {
+        let excess = |kind, list: &[(f64, u32)], is_closed| {
+            sectors(list, is_closed).degree(kind, &(5..=7)).0
+        };
+        // On a curve: 2 to 4 triangles on each side, 5 to 7 in all.
+        assert_eq!(excess(Kind::Curve, &[(180.0, 3), (180.0, 3)], true), 0);
+        assert_eq!(excess(Kind::Curve, &[(180.0, 2), (180.0, 2)], true), 1);
+        assert_eq!(excess(Kind::Curve, &[(180.0, 4), (180.0, 4)], true), 1);
+        assert_eq!(excess(Kind::Curve, &[(180.0, 1), (180.0, 5)], true), 2);
+        // On the boundary at most 5 edges.
+        assert_eq!(excess(Kind::Curve, &[(180.0, 4)], false), 0);
+        assert_eq!(excess(Kind::Curve, &[(180.0, 5)], false), 1);
+        // The corner of a cube has 5 or 6 triangles, one or two or three in a sector.
+        assert_eq!(excess(Kind::Fixed, &[(90.0, 2), (90.0, 2), (90.0, 1)], true), 0);
+        assert_eq!(excess(Kind::Fixed, &[(90.0, 1), (90.0, 1), (90.0, 1)], true), 2);
+        assert_eq!(excess(Kind::Fixed, &[(90.0, 4), (90.0, 1), (90.0, 1)], true), 1);
+        // Eight curves leave no other choice.
+        assert_eq!(excess(Kind::Fixed, &[(45.0, 1); 8], true), 0);
+        // A pointed tip has what fits.
+        assert_eq!(excess(Kind::Fixed, &[(79.0, 3)], true), 1);
+        assert_eq!(excess(Kind::Fixed, &[(150.0, 4)], true), 0);
+    }
+
+    #[test]
+    fn limits_are_those_of_equal_angles() {
+        for (angle, limit) in
+            [(90.0, 45.0), (25.0, 25.0), (120.0, 60.0), (60.0, 60.0), (150.0, 52.5)]
+        {
+            let found = sectors(&[(angle, 1), (180.0, 3)], true).limit();
+            assert!((found - limit).abs() < 1e-9, "{angle}: {found}");
+        }
+    }
+}

@@ -87,3 +87,59 @@ pub(crate) fn walk(
     let normal = (smooth(0) + smooth(1) + smooth(2)).try_normalize()?;
     Some(Foot { point: at, normal, triangle: t, weights, distance: square.sqrt() })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::surface::work::tests::reference;
+    use proptest::prelude::*;
+
+    fn vector(range: f64) -> impl Strategy<Value = DVec3> {
+        [-range..range, -range..range, -range..range].prop_map(DVec3::from)
+    }
+
+    proptest! {
+        /// No other point of the triangle is nearer.
+        #[test]
+        fn the_nearest_point_is_the_nearest(
+            p in vector(2.0), a in vector(1.0), b in vector(1.0), c in vector(1.0),
+        ) {
+            prop_assume!((b - a).cross(c - a).length() > 1e-3);
+            let [u, v, w] = nearest_shares(p, [a, b, c]);
+            prop_assert!(u >= 0.0 && v >= 0.0 && w >= 0.0 && (u + v + w - 1.0).abs() < 1e-12);
+            let square = squared_distance(p, [a, b, c]);
+            for i in 0..=20 {
+                for j in 0..=20 - i {
+                    let [s, t] = [i, j].map(|k| f64::from(k) / 20.0);
+                    let other = a * s + b * t + c * (1.0 - s - t);
+                    prop_assert!(p.distance_squared(other) >= square - 1e-12);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_walk_finds_the_foot_that_a_search_finds() {
+        let reference = reference("torus", 1.0);
+        let surface = &reference.surface;
+        let count = surface.triangles().len() as u32;
+        let mut found = 0;
+        for t in 0..count {
+            let [a, b, c] = surface.triangles()[t as usize].map(|v| surface.points()[v as usize]);
+            // Beyond an edge, and off the surface.
+            let normal = surface.face_normal(t);
+            let point = a.lerp(b, 0.4) + (a - c) * 0.3 + normal * 0.02;
+            let search = surface.nearest(0, point, Some(normal), t);
+            if let Some(foot) = walk(surface, 0, point, normal, t, 0.1) {
+                found += 1;
+                assert!((foot.distance - search.distance).abs() < 1e-9, "{t}");
+                assert!(foot.point.distance(search.point) < 1e-6);
+                assert!(foot.normal.distance(search.normal) < 1e-4);
+            }
+            // Too far, or facing the other way.
+            assert_eq!(walk(surface, 0, point + normal, normal, t, 0.1), None);
+            assert_eq!(walk(surface, 0, point, -normal, t, 0.1), None);
+        }
+        assert!(found > count * 9 / 10, "{found} of {count}");
+    }
+}

@@ -97,3 +97,107 @@ pub(crate) fn compacted<'a>(mesh: &SurfaceMesh<'a>) -> Result<SurfaceMesh<'a>, S
     other.triangles.iter_mut().zip(labels).for_each(|(t, labels)| t.labels = labels);
     Ok(other)
 }
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+    use crate::operations::{Cavity, Operation, operations};
+    use crate::options::Options;
+    use crate::surface::models;
+    use mindeg_mesh::Progress;
+    use mindeg_surfaces::{FeatureRules, SizeRules};
+    use proptest::prelude::*;
+
+    /// The reference of a model, with edges so many times as long as its own.
+    pub(crate) fn reference(name: &str, coarser: f64) -> Reference {
+        let found = models::all().into_iter().find(|model| model.0 == name).unwrap();
+        let (points, triangles, size) = found.1;
+        let size = coarser * size.unwrap();
+        let surface = Surface::new(&points, &triangles, &[], &FeatureRules::default()).unwrap();
+        let fine = surface.refined(&SizeRules::of_size(size), Progress::NONE).unwrap();
+        let curves = fine.curves().len();
+        Reference::new(fine, size, 0.2 * size, vec![false; curves])
+    }
+
+    pub(crate) fn weights() -> Weights {
+        Weights::single(&Options::default(), 35.0)
+    }
+
+    pub(crate) fn mesh(reference: &Reference) -> SurfaceMesh<'_> {
+        work_mesh(reference, &reference.surface, &weights()).unwrap()
+    }
+
+    /// Vertices less edges plus triangles, and the edges of each curve.
+    pub(crate) fn euler(mesh: &SurfaceMesh<'_>) -> (i64, Vec<u32>) {
+        let vertices = mesh.vertices.iter().filter(|v| v.triangles > 0).count() as i64;
+        let alive = || mesh.triangles.iter().filter(|t| t.is_alive());
+        let mut halves = 0;
+        let mut curves = vec![0; mesh.space.0.surface.curves().len()];
+        for t in alive() {
+            for i in 0..3 {
+                let weight = if t.neighbours[i] == NONE { 2 } else { 1 };
+                halves += i64::from(weight);
+                if t.is_locked(i) {
+                    curves[t.labels[i].0 as usize] += weight;
+                }
+            }
+        }
+        (vertices - halves / 2 + alive().count() as i64, curves)
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
+        /// Whatever operations are done, the invariants hold, the topology stays, each curve still has edges, and undoing
+        /// restores the mesh bit for bit.
+        #[test]
+        fn random_operations_keep_the_surface(
+            which in 0..3_usize,
+            steps in prop::collection::vec((any::<prop::sample::Index>(), any::<prop::sample::Index>()), 1..120),
+        ) {
+            let reference = reference(["cube", "saddle", "cylinder"][which], 4.0);
+            let mut mesh = mesh(&reference);
+            let (start, first) = (mesh.clone(), euler(&mesh));
+            mesh.record();
+            let mut cavity = Cavity::default();
+            let mut list = Vec::new();
+            for (place, choice) in steps {
+                let alive: Vec<u32> = (0..mesh.vertices.len() as u32)
+                    .filter(|v| mesh.vertices[*v as usize].triangles > 0)
+                    .collect();
+                operations(&mesh, *place.get(&alive), true, &mut list);
+                // Else nearly all are splits of vertices.
+                if list.len() > 8 && choice.index(4) > 0 {
+                    list.retain(|operation| !matches!(operation, Operation::SplitVertex { .. }));
+                }
+                if list.is_empty() {
+                    continue;
+                }
+                let operation = *choice.get(&list);
+                let mark = mesh.mark();
+                if cavity.open(&mesh, operation) && cavity.plan(&mut mesh, operation) {
+                    cavity.carry_out(&mut mesh);
+                } else {
+                    mesh.undo(mark);
+                }
+                mesh.check().map_err(TestCaseError::fail)?;
+                let (chi, curves) = euler(&mesh);
+                prop_assert_eq!(chi, first.0);
+                prop_assert!(curves.iter().all(|edges| *edges > 0), "{:?}", operation);
+            }
+            let small = compacted(&mesh).map_err(TestCaseError::fail)?;
+            prop_assert_eq!(euler(&small), euler(&mesh));
+            mesh.undo(0);
+            prop_assert_eq!(&mesh.triangles, &start.triangles);
+            prop_assert_eq!(&mesh.vertices, &start.vertices);
+        }
+    }
+
+    #[test]
+    fn corners_have_their_limits_as_goals() {
+        let reference = reference("cube", 3.0);
+        let mesh = mesh(&reference);
+        let corners: Vec<_> = mesh.vertices.iter().filter(|v| v.kind == Kind::Fixed).collect();
+        assert_eq!((corners.len(), mesh.goals.len()), (8, 8));
+        assert!(mesh.goals.iter().all(|goal| (goal.limit - 45.0).abs() < 1e-9));
+    }
+}
