@@ -2,6 +2,7 @@
 
 mod bridge;
 mod compare;
+mod condition;
 mod convert;
 mod degree;
 #[cfg(target_os = "linux")]

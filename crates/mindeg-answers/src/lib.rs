@@ -19,6 +19,7 @@
 //! One language; angles are in degrees.
 
 pub mod advice;
+pub mod condition;
 pub mod degree;
 pub mod demands;
 pub mod inspected;

@@ -2,6 +2,7 @@
 
 mod bridge;
 mod compare;
+mod condition;
 mod convert;
 mod degree;
 mod demands;
@@ -25,6 +26,7 @@ mod view;
 
 pub(crate) use bridge::BridgeArguments;
 pub(crate) use compare::{CompareArguments, ReportFormat};
+pub(crate) use condition::ConditionArguments;
 pub(crate) use convert::ConvertArguments;
 pub(crate) use degree::{Counts, CountsArguments, DegreeArguments, SuggestArguments};
 pub(crate) use describe::DescribeArguments;
@@ -102,6 +104,7 @@ pub(crate) enum Command {
     Suggest(SuggestArguments),
     Mesh(MeshArguments),
     Domain(DescribeArguments),
+    Condition(ConditionArguments),
     Tradeoff(TradeoffArguments),
     Compare(CompareArguments),
     Inspect(InspectArguments),

@@ -145,7 +145,7 @@ pub(crate) fn in_file(
 }
 
 /// The content of a file, or of standard input if the path is `-`.
-fn opened(
+pub(crate) fn opened(
     path: &Path,
     options: &OutlineOptions,
     size: Option<f64>,

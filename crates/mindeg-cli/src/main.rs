@@ -15,6 +15,7 @@ mod boundary_loops;
 mod bridge;
 mod compare;
 mod completions;
+mod condition;
 mod convert;
 mod degree;
 mod demands;
@@ -79,6 +80,7 @@ fn run(command: &Command) -> Result<(), Failure> {
         Command::Completions(arguments) => completions::run(arguments),
         Command::Inspect(arguments) => shared(|| inspect::run(arguments)),
         Command::Convert(arguments) => shared(|| convert::run(arguments)),
+        Command::Condition(arguments) => shared(|| condition::run(arguments)),
         Command::Domain(arguments) => shared(|| domain::describe::run(arguments)),
         Command::Improve(arguments) => shared(|| improve::run(arguments)),
         Command::Fill(arguments) => shared(|| fill::run(arguments)),

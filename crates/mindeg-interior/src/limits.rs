@@ -182,6 +182,21 @@ pub fn tent_limit(outline: &PlanarBoundary, below: f64) -> Option<TentLimit> {
     found.map(|edges| TentLimit { angle: least.get(), edges })
 }
 
+/// All pairs of edges of an outline whose tent limit is below `below` degrees.
+///
+/// O(n log n + k) for n edges and k pairs where edges are short beside the domain.
+#[must_use]
+pub fn tents_below(outline: &PlanarBoundary, below: f64) -> Vec<TentLimit> {
+    let lines = Breaklines::default();
+    let tents = Tents::new(outline, &lines);
+    let mut found = Vec::new();
+    tents.near(&mut || below, &mut |pair| {
+        let angle = tents.touching_angle(pair, below);
+        found.push(TentLimit { angle, edges: pair.map(|edge| edge as u32) });
+    });
+    found
+}
+
 /// The tent limit of each vertex of an outline and of lines in degrees: that of its edges, `most` where it is more. So
 /// one strait excuses nothing elsewhere.
 pub(crate) fn tent_limits(outline: &PlanarBoundary, lines: &Breaklines, most: f64) -> Vec<f64> {

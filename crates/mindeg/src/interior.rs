@@ -22,6 +22,7 @@
 
 mod beside;
 mod coarse;
+mod condition;
 mod improve;
 mod lift;
 mod limit;
@@ -30,9 +31,13 @@ mod posed;
 
 pub use beside::mesh_all;
 pub use coarse::CoarseSide;
+pub use condition::condition;
 pub use improve::{ImprovedMesh, improve};
 pub use lift::{Lift, lift};
 pub use limit::{AngleLimit, Cause, angle_limit};
+pub use mindeg_condition::{
+    BoundaryChange, BoundaryDemands, ChangeKind, Conditioned, LEAST_GROWTH, Left, Reason,
+};
 pub use mindeg_interior::limits::{FanLimit, Limits, TentLimit, degree_limit};
 pub use mindeg_interior::{
     CertifiedVertex, CornerTradeOff, InteriorError, InteriorReport, LocalShares, SizeReport,

@@ -230,7 +230,7 @@ fn loops_that_share_two_vertices_are_decided_together() {
         let mut inner = Vec::new();
         for ring in 0..2 {
             let first = points.len() as u32;
-            let new = |i: u32| if ring == 1 && i % half == 0 { i } else { first + i };
+            let new = |i: u32| if ring == 1 && i.is_multiple_of(half) { i } else { first + i };
             let own: Vec<u32> = (0..count).map(new).collect();
             points.extend((0..2 * count).map(|i| {
                 let [x, y, z] = [(); 3].map(|()| random.unit());

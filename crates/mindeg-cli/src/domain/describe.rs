@@ -116,7 +116,7 @@ fn line(row: &Row) -> String {
 }
 
 /// Writes the JSON of one domain.
-fn write(domain: &Domain, path: &Path) -> Result<(), Failure> {
+pub(crate) fn write(domain: &Domain, path: &Path) -> Result<(), Failure> {
     let mut outputs = Outputs::new(&SESSION);
     let out = outputs.open(path)?;
     write_to(path, out, |out| writeln!(out, "{}", domain.to_json()))?;

@@ -1,0 +1,157 @@
+//! What conditioning did to a boundary.
+
+use crate::numbers::{angle, count, four_digits};
+use mindeg::Domain;
+use mindeg::interior::{ChangeKind, Conditioned, Reason};
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::fmt::Write as _;
+
+/// The changes of a boundary, and the limits of its minimum angle before and after; angles are in degrees.
+///
+/// # Example
+///
+/// ```
+/// use mindeg::Domain;
+/// use mindeg::interior::{BoundaryDemands, condition};
+/// use mindeg_answers::condition::ConditionAnswer;
+///
+/// let strait = Domain::from_rings([[[0.0, 0.0], [10.0, 0.0], [10.0, 0.5], [0.0, 0.5]]])?;
+/// let (domain, conditioned) = condition(&strait, &BoundaryDemands::default(), &[])?;
+/// let answer = ConditionAnswer::of(&strait, &domain, &conditioned);
+/// assert!(answer.is_reached && answer.inserted > 4 && answer.dropped == 0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[schemars(description = "The changes of a boundary.")]
+pub struct ConditionAnswer {
+    /// Boundary points before.
+    pub points_before: u32,
+    /// Boundary points after.
+    pub points: u32,
+    /// Points that were dropped.
+    pub dropped: usize,
+    /// Points that were put on edges.
+    pub inserted: usize,
+    /// Sharp corners that were cut off.
+    pub cut: usize,
+    /// Holes that were dropped.
+    pub holes_dropped: usize,
+    /// The largest distance of the old boundary and the new one from each other, at most.
+    pub moved: f64,
+    /// No mesh of the old boundary has a greater minimum angle.
+    pub angle_limit_before: f64,
+    /// No mesh of the new boundary has a greater minimum angle.
+    pub angle_limit: f64,
+    /// Whether no place stays below the demanded angle.
+    pub is_reached: bool,
+    /// All changes, in the order in which they were made.
+    pub changes: Vec<ChangeRow>,
+    /// The places that stay below the demanded angle.
+    pub left: Vec<LeftRow>,
+}
+
+/// One change.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct ChangeRow {
+    /// `dropped`, `inserted`, `cut` or `hole_dropped`.
+    pub kind: &'static str,
+    /// Where.
+    pub at: [f64; 2],
+}
+
+/// A place that stays below the demanded angle.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct LeftRow {
+    /// Where.
+    pub at: [f64; 2],
+    /// The limit there.
+    pub angle_limit: f64,
+    /// Why, and what to do.
+    pub reason: &'static str,
+}
+
+impl ConditionAnswer {
+    /// The figures of a conditioned domain.
+    #[must_use]
+    pub fn of(before: &Domain, after: &Domain, conditioned: &Conditioned) -> Self {
+        let count = |kind| conditioned.changes.iter().filter(|change| change.kind == kind).count();
+        let change = |change: &mindeg::interior::BoundaryChange| {
+            let kind = match change.kind {
+                ChangeKind::Dropped => "dropped",
+                ChangeKind::Inserted => "inserted",
+                ChangeKind::Cut => "cut",
+                ChangeKind::HoleDropped => "hole_dropped",
+            };
+            ChangeRow { kind, at: change.at.to_array() }
+        };
+        let left = |left: &mindeg::interior::Left| {
+            let reason = match left.reason {
+                Reason::Sharp => "the corner is sharper: allow a larger distance",
+                Reason::Kept => "its points are to stay: keep fewer",
+                Reason::Short => "its edges would get too short: allow a larger distance",
+            };
+            LeftRow { at: left.at.to_array(), angle_limit: left.limit, reason }
+        };
+        Self {
+            points_before: before.rings().vertex_count(),
+            points: after.rings().vertex_count(),
+            dropped: count(ChangeKind::Dropped),
+            inserted: count(ChangeKind::Inserted),
+            cut: count(ChangeKind::Cut),
+            holes_dropped: count(ChangeKind::HoleDropped),
+            moved: conditioned.moved,
+            angle_limit_before: conditioned.before,
+            angle_limit: conditioned.after,
+            is_reached: conditioned.left.is_empty(),
+            changes: conditioned.changes.iter().map(change).collect(),
+            left: conditioned.left.iter().map(left).collect(),
+        }
+    }
+
+    /// The same as text, with at most ten of the places that are left.
+    #[must_use]
+    pub fn text(&self, name: &str) -> String {
+        let plural = |number: usize, one: &str, many: &str| {
+            format!("{} {}", count(number as u64), if number == 1 { one } else { many })
+        };
+        let mut text = format!(
+            "{name}: {} boundary points become {}: {} dropped, {} put on edges, {} cut off, {} dropped\n",
+            count(self.points_before),
+            count(self.points),
+            count(self.dropped as u64),
+            count(self.inserted as u64),
+            plural(self.cut, "sharp corner", "sharp corners"),
+            plural(self.holes_dropped, "hole", "holes"),
+        );
+        let moved = if self.moved > 0.0 {
+            format!("It moved by {} at most", four_digits(self.moved))
+        } else {
+            "It moved nowhere".to_owned()
+        };
+        let _ = writeln!(
+            text,
+            "{moved}. The minimum angle of a mesh can be {}, {} before.",
+            angle(self.angle_limit),
+            angle(self.angle_limit_before)
+        );
+        if !self.left.is_empty() {
+            let _ = writeln!(
+                text,
+                "{} below the angle:",
+                plural(self.left.len(), "place stays", "places stay")
+            );
+        }
+        for row in self.left.iter().take(MOST_LEFT) {
+            let [x, y] = row.at;
+            let _ = writeln!(text, "  at ({x}, {y}): {}; {}", angle(row.angle_limit), row.reason);
+        }
+        if self.left.len() > MOST_LEFT {
+            let _ = writeln!(text, "  and {} more; --json lists all", self.left.len() - MOST_LEFT);
+        }
+        text
+    }
+}
+
+/// The places that the text names.
+const MOST_LEFT: usize = 10;

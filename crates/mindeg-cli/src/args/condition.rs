@@ -1,0 +1,83 @@
+//! `mindeg condition`.
+
+use super::domain::OutlineOptions;
+use super::values::length;
+use super::with_exit_codes;
+use clap::Args;
+use mindeg::interior::LEAST_GROWTH;
+use std::path::PathBuf;
+
+const EXAMPLES: &str = "\
+Examples:
+  mindeg condition sea.geojson --limit 25 --within 500 -o sea.json
+  mindeg condition sea.geojson --within 1000 --size 4000 --least-island 2e6 -o sea.json
+  mindeg mesh sea.json --interior -o sea.14";
+
+/// Change a boundary by as little as it takes for a mesh with points inside to reach an angle
+///
+/// A boundary limits the angles of every mesh that keeps it. Points on edges mend what moves nothing: an edge beside
+/// a much shorter one, long edges in a strait. Dropped points and cut corners mend the rest, nowhere farther than
+/// --within. Corners of sides with a name or a kind stay. Places that stay below the limit are listed, with the reason;
+/// the domain is written even so.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES, after_long_help = with_exit_codes(EXAMPLES))]
+pub(crate) struct ConditionArguments {
+    /// A domain in JSON, or an outline as GeoJSON, TopoJSON, WKT, SVG, CSV, OBJ lines, Gmsh's MSH, Triangle's .poly
+    /// or DXF; - reads standard input
+    #[arg(id = "domain", value_name = "DOMAIN")]
+    pub(crate) file: PathBuf,
+
+    /// The minimum angle that the boundary shall allow, in degrees, at most 40
+    #[arg(long, value_name = "ANGLE", value_parser = limit, default_value = "25", allow_hyphen_values = true)]
+    pub(crate) limit: f64,
+
+    /// How far the boundary may move; without it nothing moves
+    #[arg(long, value_name = "LENGTH", value_parser = length, allow_hyphen_values = true)]
+    pub(crate) within: Option<f64>,
+
+    /// The length that edges should have: shorter ones are joined within --within, longer ones divided
+    #[arg(long, value_name = "LENGTH", value_parser = length, allow_hyphen_values = true)]
+    pub(crate) size: Option<f64>,
+
+    /// No edge is longer than 4/3 of another and this times their distance together: a mesh reaches its limits more surely
+    /// where lengths change gradually; 0.35 or more, 0.4 with --size, else no such rule
+    #[arg(long, value_name = "G", value_parser = growth, allow_hyphen_values = true)]
+    pub(crate) growth: Option<f64>,
+
+    /// Drop holes with a smaller area
+    #[arg(long, value_name = "AREA", value_parser = length, allow_hyphen_values = true)]
+    pub(crate) least_island: Option<f64>,
+
+    /// A side that keeps all its points, by its name, such as "side 3"; may be given several times
+    #[arg(long, value_name = "NAME")]
+    pub(crate) keep: Vec<String>,
+
+    #[command(flatten)]
+    pub(crate) outline: OutlineOptions,
+
+    /// Where to write the domain in JSON; - is standard output
+    #[arg(short, long, value_name = "FILE", help_heading = None)]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Print the changes as JSON: points_before, points, dropped, inserted, cut, holes_dropped, moved,
+    /// angle_limit_before, angle_limit, is_reached, and the lists changes and left
+    #[arg(long, help_heading = None)]
+    pub(crate) json: bool,
+
+    /// Show no progress on standard error
+    #[arg(short, long, help_heading = None)]
+    pub(crate) quiet: bool,
+}
+
+/// An angle that a boundary can be asked for.
+fn limit(text: &str) -> Result<f64, String> {
+    let angle = text.trim().trim_end_matches('°').parse().ok();
+    let angle = angle.filter(|angle| *angle > 0.0 && *angle <= 40.0);
+    angle.ok_or_else(|| "give an angle above 0 and at most 40 degrees, such as 25".to_owned())
+}
+
+/// A growth that halving edges can reach.
+fn growth(text: &str) -> Result<f64, String> {
+    let growth = text.trim().parse().ok().filter(|growth| (LEAST_GROWTH..100.0).contains(growth));
+    growth.ok_or_else(|| format!("give a number from {LEAST_GROWTH} to 100, such as 0.4"))
+}

@@ -1,0 +1,58 @@
+//! What was done, and what is left.
+
+use glam::DVec2;
+
+/// A point of the new boundary.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Point {
+    /// Where it is.
+    pub at: DVec2,
+    /// The vertex of the old boundary that it is, bit for bit; none for a new point.
+    pub of: Option<u32>,
+    /// The vertex of the old boundary on whose edge it lies, or whose point it is.
+    pub edge: u32,
+}
+
+/// One change of a boundary.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BoundaryChange {
+    /// What was done.
+    pub kind: ChangeKind,
+    /// Where.
+    pub at: DVec2,
+}
+
+/// The kinds of changes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ChangeKind {
+    /// A point was dropped.
+    Dropped,
+    /// A point was put on an edge.
+    Inserted,
+    /// A sharp corner was cut off.
+    Cut,
+    /// A hole was dropped.
+    HoleDropped,
+}
+
+/// A place that stays below the demanded angle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Left {
+    /// Where.
+    pub at: DVec2,
+    /// The limit there, in degrees.
+    pub limit: f64,
+    /// Why.
+    pub reason: Reason,
+}
+
+/// The reasons why a place stays below the demanded angle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reason {
+    /// The boundary turns so sharply there, and may not be moved, or not so far.
+    Sharp,
+    /// Its points are to stay.
+    Kept,
+    /// The edges there would get too short to tell their points apart.
+    Short,
+}

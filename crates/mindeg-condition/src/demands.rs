@@ -1,0 +1,55 @@
+//! What a boundary is asked for.
+
+use crate::error::ConditionError;
+
+/// The least growth: below it, edges beside one that was halved would have to be halved, too, and so on.
+pub const LEAST_GROWTH: f64 = 0.35;
+
+/// The demands on a boundary.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BoundaryDemands {
+    /// The minimum angle that the boundary shall allow, in degrees: above 0 and at most 40.
+    pub angle: f64,
+    /// How far the new boundary may be from the old one, and the old one from the new one; 0 moves nothing.
+    pub within: f64,
+    /// The wanted length of an edge: shorter ones are joined where `within` allows it, longer ones divided. None: neither, but
+    /// for the angle.
+    pub size: Option<f64>,
+    /// No edge is longer than 4/3 of another and `growth` times their distance together, from [`LEAST_GROWTH`] on; 0 for no
+    /// such rule. The limit of an angle is a bound, which a mesh reaches more surely where lengths change gradually: at 0.4
+    /// nearly everywhere.
+    pub growth: f64,
+    /// Holes of a smaller area are dropped.
+    pub least_hole: f64,
+}
+
+/// 25 degrees, and nothing moved.
+impl Default for BoundaryDemands {
+    fn default() -> Self {
+        Self { angle: 25.0, within: 0.0, size: None, growth: 0.0, least_hole: 0.0 }
+    }
+}
+
+impl BoundaryDemands {
+    pub(crate) fn check(&self) -> Result<(), ConditionError> {
+        let is_length = |length: f64| length.is_finite() && length >= 0.0;
+        if !(self.angle > 0.0 && self.angle <= 40.0) {
+            return Err(ConditionError::Demand(
+                "the angle is to be above 0 and at most 40 degrees",
+            ));
+        }
+        if !is_length(self.within) {
+            return Err(ConditionError::Demand("the distance is to be 0 or more"));
+        }
+        if self.size.is_some_and(|size| !is_length(size) || size == 0.0) {
+            return Err(ConditionError::Demand("the size is to be above 0"));
+        }
+        if !is_length(self.growth) || self.growth > 0.0 && self.growth < LEAST_GROWTH {
+            return Err(ConditionError::Demand("the growth is to be 0, or 0.35 or more"));
+        }
+        if !is_length(self.least_hole) {
+            return Err(ConditionError::Demand("the least area of a hole is to be 0 or more"));
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,237 @@
+//! Boundaries before and after.
+
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use glam::DVec2;
+use mindeg_condition::{BoundaryDemands, ChangeKind, Conditioned, Reason, condition};
+use mindeg_mesh::Random;
+use mindeg_mesh::planar::PlanarBoundary;
+
+fn ring(points: &[[f64; 2]]) -> Vec<DVec2> {
+    points.iter().copied().map(DVec2::from).collect()
+}
+
+fn conditioned(rings: &[Vec<DVec2>], demands: &BoundaryDemands) -> Conditioned {
+    condition(&PlanarBoundary::new(rings).unwrap(), demands, |_| false).unwrap()
+}
+
+fn count(conditioned: &Conditioned, kind: ChangeKind) -> usize {
+    conditioned.changes.iter().filter(|change| change.kind == kind).count()
+}
+
+/// The distance of a point from rings of points.
+fn distance(point: DVec2, rings: &[Vec<DVec2>]) -> f64 {
+    let edges = rings
+        .iter()
+        .flat_map(|ring| (0..ring.len()).map(move |i| [ring[i], ring[(i + 1) % ring.len()]]));
+    let to = |[a, b]: [DVec2; 2]| {
+        let share = (point - a).dot(b - a) / a.distance_squared(b);
+        point.distance(a.lerp(b, share.clamp(0.0, 1.0)))
+    };
+    edges.map(to).fold(f64::INFINITY, f64::min)
+}
+
+/// The largest distance between two boundaries, by many points of the edges of both.
+fn apart(old: &[Vec<DVec2>], new: &[Vec<DVec2>]) -> f64 {
+    let samples = |rings: &[Vec<DVec2>]| -> Vec<DVec2> {
+        let along = |ring: &Vec<DVec2>, i: usize| {
+            let [a, b] = [ring[i], ring[(i + 1) % ring.len()]];
+            (0..8).map(move |k| a.lerp(b, f64::from(k) / 8.0)).collect::<Vec<_>>()
+        };
+        rings.iter().flat_map(|ring| (0..ring.len()).flat_map(move |i| along(ring, i))).collect()
+    };
+    let one = |from: &[Vec<DVec2>], to: &[Vec<DVec2>]| {
+        samples(from).into_iter().map(|point| distance(point, to)).fold(0.0, f64::max)
+    };
+    one(old, new).max(one(new, old))
+}
+
+fn places(conditioned: &Conditioned) -> Vec<Vec<DVec2>> {
+    let ring = |ring: &Vec<mindeg_condition::Point>| ring.iter().map(|point| point.at).collect();
+    conditioned.rings.iter().map(ring).collect()
+}
+
+/// A coast by chance: a ring whose radius changes from point to point, with a rock in it.
+fn coast(points: u32, roughness: f64, seed: u64) -> Vec<Vec<DVec2>> {
+    let mut random = Random::new(seed);
+    let mut ring = |center: DVec2, radius: f64, points: u32| -> Vec<DVec2> {
+        let at = |i: u32| {
+            let angle =
+                (f64::from(i) + 0.8 * random.unit()) / f64::from(points) * std::f64::consts::TAU;
+            let length = radius * (1.0 + roughness * (random.unit() - 0.5));
+            center + length * DVec2::from_angle(angle)
+        };
+        (0..points).map(at).collect()
+    };
+    let outer = ring(DVec2::ZERO, 100.0, points);
+    let mut rock = ring(DVec2::new(10.0, 5.0), 20.0, points / 4 + 3);
+    rock.reverse();
+    vec![outer, rock]
+}
+
+#[test]
+fn what_is_good_stays_bit_for_bit() {
+    let square = ring(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]]);
+    let found = conditioned(
+        &[square.clone()],
+        &BoundaryDemands { within: 1.0, ..BoundaryDemands::default() },
+    );
+    assert_eq!(places(&found), [square]);
+    assert!(found.changes.is_empty() && found.left.is_empty() && found.moved == 0.0);
+    let of: Vec<_> = found.rings[0].iter().map(|point| point.of).collect();
+    assert_eq!(of, [Some(0), Some(1), Some(2), Some(3)]);
+}
+
+#[test]
+fn a_strait_gets_shorter_edges_and_moves_nowhere() {
+    let strait = ring(&[[0.0, 0.0], [10.0, 0.0], [10.0, 0.5], [0.0, 0.5]]);
+    let found = conditioned(
+        &[strait.clone()],
+        &BoundaryDemands { angle: 30.0, ..BoundaryDemands::default() },
+    );
+    assert!(found.before < 6.0 && found.after >= 30.0 && found.left.is_empty(), "{found:?}");
+    assert!(count(&found, ChangeKind::Inserted) >= 8 && count(&found, ChangeKind::Dropped) == 0);
+    assert!(apart(&[strait], &places(&found)) < 1e-12);
+}
+
+#[test]
+fn a_tip_is_cut_as_far_as_is_allowed_and_named_if_that_is_not_at_all() {
+    let wedge = ring(&[[0.0, 0.0], [10.0, -1.0], [10.0, 1.0]]);
+    let found = conditioned(&[wedge.clone()], &BoundaryDemands::default());
+    assert_eq!(found.left.len(), 1);
+    assert_eq!((found.left[0].at, found.left[0].reason), (DVec2::ZERO, Reason::Sharp));
+    assert!((found.left[0].limit - 11.42).abs() < 0.01);
+    let found = conditioned(
+        &[wedge.clone()],
+        &BoundaryDemands { within: 0.5, ..BoundaryDemands::default() },
+    );
+    assert_eq!(count(&found, ChangeKind::Cut), 1);
+    assert!(found.left.is_empty() && found.after >= 25.0, "{found:?}");
+    assert!(found.moved <= 0.5 && (apart(&[wedge.clone()], &places(&found)) - 0.5).abs() < 0.01);
+    // A point that stays keeps its tip.
+    let boundary = PlanarBoundary::new(&[wedge]).unwrap();
+    let found =
+        condition(&boundary, &BoundaryDemands { within: 0.5, ..BoundaryDemands::default() }, |v| {
+            v == 0
+        })
+        .unwrap();
+    assert_eq!(found.left.iter().map(|left| left.reason).collect::<Vec<_>>(), [Reason::Kept]);
+}
+
+#[test]
+fn small_holes_are_dropped_and_kept_edges_stay_whole() {
+    let square = ring(&[[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0]]);
+    let hole = |x: f64, size: f64| ring(&[[x, 5.0], [x, 5.0 + size], [x + size, 5.0]]);
+    let rings = [square, hole(2.0, 0.01), hole(6.0, 1.0)];
+    let found =
+        conditioned(&rings, &BoundaryDemands { least_hole: 0.1, ..BoundaryDemands::default() });
+    assert_eq!((found.rings.len(), count(&found, ChangeKind::HoleDropped)), (2, 1));
+    assert_eq!(found.rings[1].iter().find_map(|point| point.of), Some(7));
+    let boundary = PlanarBoundary::new(&rings).unwrap();
+    let found = condition(
+        &boundary,
+        &BoundaryDemands { least_hole: 0.1, size: Some(0.5), ..BoundaryDemands::default() },
+        |v| v < 7,
+    );
+    let found = found.unwrap();
+    assert_eq!(found.rings.len(), 3);
+    assert!(found.rings[..2].iter().flatten().all(|point| point.of.is_some()));
+    assert!(found.left.iter().all(|left| left.reason == Reason::Kept) && !found.left.is_empty());
+}
+
+#[test]
+fn coasts_by_chance_reach_the_angle_within_the_distance() {
+    let (mut reached, mut all) = (0, 0);
+    for seed in 0..60 {
+        let rings = coast(40 + 7 * (seed as u32 % 20), 0.05 * (seed % 7) as f64, seed);
+        let Ok(boundary) = PlanarBoundary::new(&rings) else { continue };
+        for size in [None, Some(4.0)] {
+            let within = [0.0, 0.5, 3.0][(seed % 3) as usize];
+            let demands = BoundaryDemands {
+                angle: 25.0,
+                within,
+                size,
+                growth: if seed % 2 == 0 { 0.5 } else { 0.0 },
+                least_hole: 0.0,
+            };
+            let found = condition(&boundary, &demands, |_| false).unwrap();
+            let new = places(&found);
+            assert!(apart(&rings, &new) <= within + 1e-9, "seed {seed}");
+            assert!(found.moved <= within);
+            assert_eq!(found.after >= 25.0, found.left.is_empty(), "seed {seed}");
+            assert!(found.after >= found.before.min(25.0) - 1e-9, "seed {seed}: {found:?}");
+            for point in found.rings.iter().flatten() {
+                if let Some(of) = point.of {
+                    assert_eq!(point.at, boundary.point(of));
+                }
+            }
+            if let Some(size) = size {
+                let longest = new.iter().flat_map(|ring| {
+                    (0..ring.len()).map(move |i| ring[i].distance(ring[(i + 1) % ring.len()]))
+                });
+                assert!(longest.fold(0.0, f64::max) <= 4.0 / 3.0 * size + 1e-9);
+            }
+            all += 1;
+            reached += usize::from(found.left.is_empty());
+            let is_sharp = |left: &mindeg_condition::Left| left.reason == Reason::Sharp;
+            assert!(within == 0.0 || found.left.is_empty(), "seed {seed}: {:?}", found.left);
+            assert!(found.left.iter().all(is_sharp), "seed {seed}: {:?}", found.left);
+        }
+    }
+    assert!(all > 60 && 2 * reached > all, "{reached} of {all}");
+}
+
+#[test]
+fn a_rock_in_a_bay_keeps_the_bay() {
+    let bay = ring(&[
+        [0.0, 0.0],
+        [4.0, 0.0],
+        [5.0, -0.4],
+        [6.0, 0.0],
+        [10.0, 0.0],
+        [10.0, 5.0],
+        [0.0, 5.0],
+    ]);
+    let rock = ring(&[[4.9, -0.2], [5.0, -0.1], [5.1, -0.2]]);
+    let demands = BoundaryDemands { within: 1.0, size: Some(8.0), ..BoundaryDemands::default() };
+    let without = conditioned(&[bay.clone()], &demands);
+    assert!(without.rings[0].iter().all(|point| point.of != Some(2)), "{without:?}");
+    let with = conditioned(&[bay, rock], &demands);
+    assert!(with.rings[0].iter().any(|point| point.of == Some(2)));
+    assert_eq!(with.rings.len(), 2);
+}
+
+#[test]
+fn lengths_change_gradually_where_that_is_asked() {
+    let rings = coast(120, 0.3, 5);
+    let demands = BoundaryDemands { growth: 0.5, within: 1.0, ..BoundaryDemands::default() };
+    let found = conditioned(&rings, &demands);
+    let edges: Vec<[DVec2; 2]> = places(&found)
+        .iter()
+        .flat_map(|ring| (0..ring.len()).map(move |i| [ring[i], ring[(i + 1) % ring.len()]]))
+        .collect();
+    for [a, b] in &edges {
+        for [c, d] in &edges {
+            let apart = a.midpoint(*b).distance(c.midpoint(*d));
+            assert!(a.distance(*b) <= 4.0 / 3.0 * (c.distance(*d) + 0.5 * apart) + 1e-9);
+        }
+    }
+}
+
+#[test]
+fn demands_out_of_range_are_refused() {
+    let boundary = PlanarBoundary::new(&[ring(&[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])]).unwrap();
+    let bad = [
+        BoundaryDemands { angle: 0.0, ..BoundaryDemands::default() },
+        BoundaryDemands { angle: f64::NAN, ..BoundaryDemands::default() },
+        BoundaryDemands { angle: 41.0, ..BoundaryDemands::default() },
+        BoundaryDemands { within: -1.0, ..BoundaryDemands::default() },
+        BoundaryDemands { size: Some(0.0), ..BoundaryDemands::default() },
+        BoundaryDemands { growth: 0.2, ..BoundaryDemands::default() },
+        BoundaryDemands { growth: f64::NAN, ..BoundaryDemands::default() },
+        BoundaryDemands { least_hole: f64::INFINITY, ..BoundaryDemands::default() },
+    ];
+    for demands in bad {
+        assert!(condition(&boundary, &demands, |_| false).is_err(), "{demands:?}");
+    }
+}

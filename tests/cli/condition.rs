@@ -1,0 +1,70 @@
+use crate::mesh::content;
+use crate::run::{mindeg, mindeg_reading};
+use serde_json::json;
+use std::path::Path;
+
+fn domain(name: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/domains").join(name);
+    path.display().to_string()
+}
+
+#[test]
+fn two_points_on_edges_lift_the_limit_and_the_mesh() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let new = folder.path().join("britain.json").display().to_string();
+    let run = mindeg(["condition", &domain("great-britain.json"), "--limit", "30", "-o", &new]);
+    assert_eq!(
+        run.text(),
+        "great-britain: 391 boundary points become 393: 0 dropped, 2 put on edges, 0 sharp corners cut off, 0 holes \
+         dropped\nIt moved nowhere. The minimum angle of a mesh can be 30.69°, 15.88° before.\n"
+    );
+    let angle = |domain: &str| {
+        let mesh = folder.path().join("mesh.obj").display().to_string();
+        let found = mindeg(["mesh", domain, "--interior", "--json", "-o", &mesh]).json();
+        found["min_angle"].as_f64().expect("an angle")
+    };
+    assert!(angle(&domain("great-britain.json")) < 16.0 && angle(&new) > 27.0);
+    // The coast keeps its name, and the file says what the text says.
+    let written: serde_json::Value =
+        serde_json::from_slice(&std::fs::read(&new).expect("a file")).expect("JSON");
+    assert_eq!(written["sides"][0]["name"], "coast");
+    let again = mindeg(["condition", &new, "--limit", "30", "--json"]).json();
+    assert_eq!((&again["points_before"], &again["points"]), (&json!(393), &json!(393)));
+    assert_eq!((&again["is_reached"], &again["changes"]), (&json!(true), &json!([])));
+}
+
+/// A wedge of 11 degrees, and a step of a hundredth in its back.
+const WEDGE: &[u8] = b"POLYGON ((0 0, 10 -1, 10 0, 10.01 0, 10.01 1, 0 0))";
+
+#[test]
+fn nothing_moves_without_a_distance_and_nothing_farther_with_one() {
+    let still = mindeg_reading(["condition", "-", "--json"], WEDGE).json();
+    assert_eq!((&still["moved"], &still["is_reached"]), (&json!(0.0), &json!(false)));
+    assert_eq!(still["left"][0]["at"], json!([0.0, 0.0]));
+    assert_eq!(still["left"][0]["reason"], "the corner is sharper: allow a larger distance");
+    let moved = mindeg_reading(["condition", "-", "--within", "0.5", "--json"], WEDGE).json();
+    assert_eq!((&moved["is_reached"], &moved["cut"]), (&json!(true), &json!(1)));
+    assert!(moved["moved"].as_f64().expect("a length") <= 0.5);
+    assert!(moved["angle_limit"].as_f64().expect("an angle") >= 25.0);
+    let kept = ["condition", "-", "--within", "0.5", "--keep", "side 1", "--json"];
+    let kept = mindeg_reading(kept, WEDGE).json();
+    assert_eq!(kept["left"][0]["reason"], "its points are to stay: keep fewer");
+}
+
+#[test]
+fn bad_demands_are_refused_with_what_to_do() {
+    let gusset = domain("gusset.json");
+    for (more, words) in [
+        (["--limit", "50"], &["--limit", "40"][..]),
+        (["--within", "-1"], &["--within", "above 0"]),
+        (["--growth", "0.1"], &["--growth", "0.35"]),
+        (["--keep", "nix"], &["--keep", "nix", "flange, free-edge, web"]),
+    ] {
+        let folder = tempfile::tempdir().expect("a folder");
+        let out = folder.path().join("x.json").display().to_string();
+        mindeg([&["condition", &gusset, "-o", &out], &more[..]].concat()).refuses(words);
+        assert!(content(folder.path()).is_empty());
+    }
+    let map = domain("../outlines/two-materials.geojson");
+    mindeg(["condition", &map]).refuses(&["lines, points or regions"]);
+}
