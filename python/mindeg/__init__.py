@@ -11,7 +11,19 @@ what you give are ``ValueError`` with what to do.
 """
 
 from ._domain import Domain, mesh_map, polygon, rectangle
-from ._mindeg import Degree, Mesh, Suggestion, TradeOffPoint, __version__, _goals, bridge_loops, fill_loop, inspect, read
+from ._mindeg import (
+    Degree,
+    Mesh,
+    Suggestion,
+    TradeOffPoint,
+    __version__,
+    _goals,
+    bridge_loops,
+    fill_loop,
+    inspect,
+    read,
+    remesh,
+)
 from ._options import improve
 
 #: The goals of ``Domain.mesh``: for each a dict with its key, what its value is, and what it asks for.
@@ -33,6 +45,7 @@ __all__ = [
     "polygon",
     "read",
     "rectangle",
+    "remesh",
 ]
 
 

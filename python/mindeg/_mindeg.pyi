@@ -109,6 +109,18 @@ def inspect(
     corner_angle: float = 1.0,
     poles_above: int = 8,
 ) -> dict[str, Any]: ...
+def remesh(
+    points: Mesh | npt.ArrayLike,
+    triangles: npt.ArrayLike | None = None,
+    *,
+    size: float | None = None,
+    vertices: int | None = None,
+    tolerance: float | None = None,
+    feature_angle: float = 40.0,
+    target_angle: float | None = None,
+    keep_boundary: bool = False,
+    keep_features: bool = False,
+) -> Mesh: ...
 def fill_loop(
     points: npt.ArrayLike,
     *,

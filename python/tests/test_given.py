@@ -194,3 +194,17 @@ def test_an_index_too_large_is_told_as_it_is():
     """2^63 and more were called negative."""
     said = refusal(lambda: mindeg.Mesh(SQUARE, np.array([[0, 1, 2**63 + 5]], "u8")))
     assert "the index 9223372036854775813" in said
+
+
+def test_a_surface_is_meshed_anew():
+    corners = [[i & 1, i >> 1 & 1, i >> 2] for i in range(8)]
+    quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]
+    triangles = [t for a, b, c, d in quads for t in ([a, b, c], [a, c, d])]
+    cube = mindeg.remesh(corners, triangles, size=0.25, tolerance=0)
+    assert cube.degrees.min() >= 5 and cube.degrees.max() <= 7
+    assert cube.report["from_part"]["at_most"] < 1e-7 and cube.report["corners"] == 8
+    assert mindeg.remesh(cube, vertices=100, keep_features=True).report["curves"] == 12
+    with pytest.raises(ValueError, match="not both"):
+        mindeg.remesh(corners, triangles, size=1, vertices=9)
+    with pytest.raises(ValueError, match="3 triangles share an edge"):
+        mindeg.remesh(corners, triangles + [[0, 3, 4]])

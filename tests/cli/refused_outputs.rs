@@ -7,7 +7,7 @@ use std::os::unix::fs::{MetadataExt, PermissionsExt, symlink};
 use std::path::Path;
 
 /// Every command that writes, but for its output, and the extension of that.
-const COMMANDS: [(&str, &str); 13] = [
+const COMMANDS: [(&str, &str); 14] = [
     ("mesh in/d.json -q -o", "obj"),
     ("mesh in/d.json -q -o", "glb"),
     ("mesh in/d.json -q --interior -o", "vtu"),
@@ -19,6 +19,7 @@ const COMMANDS: [(&str, &str); 13] = [
     ("view in/a.obj -q -o", "html"),
     ("convert in/a.obj -q -o", "msh"),
     ("improve in/a.obj -q -o", "obj"),
+    ("remesh in/open.obj -q -o", "obj"),
     ("fill in/open.obj -q -o", "obj"),
     ("bridge in/two.obj -q --from 1 --to 2 -o", "obj"),
 ];

@@ -1,4 +1,4 @@
-//! `mindeg verify --surface`: remeshes of parts.
+//! `mindeg remesh`, and `mindeg verify --surface`.
 
 use crate::mesh::text;
 use crate::run::mindeg;
@@ -63,4 +63,65 @@ fn shares_are_for_surfaces_and_domains_are_none() {
     assert_eq!(run.code, Some(2), "{run:?}");
     let run = mindeg(["verify", &part, "--keep-boundary"]);
     assert_eq!(run.code, Some(2), "{run:?}");
+}
+
+#[test]
+fn a_part_is_meshed_anew_and_passes_the_check() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [file, again] = ["part.obj", "again.stl"].map(|name| folder.path().join(name));
+    let part = asset("models/bracket.obj");
+    let options = ["--size", "5", "--tolerance", "1%"];
+    let remesh = |from: &str, to: &Path, more: &[&str]| {
+        let arguments = ["remesh", from, "-o", text(to)];
+        mindeg(arguments.iter().chain(&options).chain(more).copied().collect::<Vec<_>>())
+    };
+    let made = remesh(&part, &file, &["--json"]).json();
+    assert_eq!((&made["degrees"][0], &made["degrees"][1]), (&5.into(), &7.into()), "{made}");
+    assert_eq!(
+        (&made["corners"], &made["curves"], &made["patches"]),
+        (&12.into(), &22.into(), &10.into())
+    );
+    assert!(made["min_angle"].as_f64() > Some(30.0), "{made}");
+    let found =
+        mindeg(["verify", text(&file), "--surface", &part, "--tolerance", "1%", "--json"]).json();
+    assert_eq!((&found["valid"], &found["vertices"]), (&true.into(), &made["vertices"]));
+    for key in ["to_part", "from_part"] {
+        assert_eq!(found[key]["at_most"], made[key]["at_most"]);
+    }
+    let page = fs::read_to_string(asset("../docs/remesh.md")).expect("the page");
+    let help = mindeg(["remesh", "--help"]);
+    let help = help.text().split_whitespace().collect::<Vec<_>>().join(" ");
+    for key in made.as_object().expect("an object").keys() {
+        assert!(page.contains(&format!("`{key}`")) && help.contains(key), "{key}");
+    }
+    // The remesh is a part, too: what was kept is kept again.
+    let run = remesh(text(&file), &again, &["--keep-features"]);
+    assert_eq!(run.code, Some(0), "{run:?}");
+    assert!(
+        run.errors.contains("It keeps 22 feature curves, "),
+        "{run:?}"
+    );
+}
+
+#[test]
+fn what_is_not_kept_is_not_written() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("part.obj");
+    let part = asset("models/bracket.obj");
+    let arguments = ["remesh", &part, "-q", "--size", "5", "-o", text(&file)];
+    let run = |more: &[&str]| mindeg(arguments.iter().chain(more).copied().collect::<Vec<_>>());
+    let refused = run(&["--tolerance", "0"]);
+    assert_eq!((refused.code, file.exists()), (Some(3), false), "{refused:?}");
+    assert!(refused.errors.contains("the mesh is off the part by"), "{refused:?}");
+    let refused = run(&["--target-angle", "45"]);
+    assert_eq!((refused.code, file.exists()), (Some(3), false), "{refused:?}");
+    assert!(refused.errors.contains("below the target angle of 45°"), "{refused:?}");
+    let written = run(&["--tolerance", "0", "--write-anyway"]);
+    assert_eq!((written.code, file.exists()), (Some(3), true), "{written:?}");
+    // A surface that is none, with its places.
+    let broken = folder.path().join("broken.obj");
+    fs::write(&broken, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nf 1 2 3\nf 2 1 4\nf 2 1 5\n")
+        .expect("a file");
+    mindeg(["remesh", text(&broken), "-o", text(&file)])
+        .refuses(&["the part is no surface: 3 triangles share an edge (0, 1, 2), at (0.5, 0, 0)"]);
 }

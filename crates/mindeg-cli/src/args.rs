@@ -17,6 +17,7 @@ mod inspect;
 mod interior;
 mod loop_choice;
 mod mesh;
+mod remesh;
 mod surface;
 mod tolerance;
 mod tradeoff;
@@ -37,6 +38,7 @@ pub(crate) use improve::ImproveArguments;
 pub(crate) use inspect::InspectArguments;
 pub(crate) use loop_choice::LoopChoice;
 pub(crate) use mesh::MeshArguments;
+pub(crate) use remesh::RemeshArguments;
 pub(crate) use surface::SurfaceArguments;
 pub(crate) use tolerance::Tolerance;
 pub(crate) use tradeoff::TradeoffArguments;
@@ -110,6 +112,7 @@ pub(crate) enum Command {
     Inspect(InspectArguments),
     Verify(VerifyArguments),
     Improve(ImproveArguments),
+    Remesh(RemeshArguments),
     View(ViewArguments),
     Explore(ExploreArguments),
     Convert(ConvertArguments),

@@ -33,6 +33,7 @@ mod named_files;
 #[cfg(not(feature = "explore"))]
 mod no_explore;
 mod provenance;
+mod remesh;
 mod schema;
 mod slips;
 mod standard_output;
@@ -83,6 +84,7 @@ fn run(command: &Command) -> Result<(), Failure> {
         Command::Condition(arguments) => shared(|| condition::run(arguments)),
         Command::Domain(arguments) => shared(|| domain::describe::run(arguments)),
         Command::Improve(arguments) => shared(|| improve::run(arguments)),
+        Command::Remesh(arguments) => shared(|| remesh::run(arguments)),
         Command::Fill(arguments) => shared(|| fill::run(arguments)),
         Command::Bridge(arguments) => shared(|| bridge::run(arguments)),
         Command::Mesh(arguments) => shared(|| mesh::run(arguments)),

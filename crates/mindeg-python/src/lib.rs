@@ -12,6 +12,7 @@ mod loops;
 mod mesh;
 mod outlines;
 mod pickled;
+mod remesh;
 mod save;
 mod work;
 
@@ -35,6 +36,8 @@ mod _mindeg {
     use super::mesh::{Mesh, improve, inspect, read};
     #[pymodule_export]
     use super::outlines::{domain_of_outline, mesh_of_map};
+    #[pymodule_export]
+    use super::remesh::remesh;
 
     #[pymodule_init]
     fn version(module: &Bound<'_, PyModule>) -> PyResult<()> {

@@ -365,7 +365,10 @@ pub(crate) fn improve(
 }
 
 /// A mesh in hand, or points and triangles, as a list.
-fn tri_mesh(points: &Bound<'_, PyAny>, triangles: Option<&Bound<'_, PyAny>>) -> PyResult<TriMesh> {
+pub(crate) fn tri_mesh(
+    points: &Bound<'_, PyAny>,
+    triangles: Option<&Bound<'_, PyAny>>,
+) -> PyResult<TriMesh> {
     match (points.cast::<Mesh>(), triangles) {
         (Ok(mesh), None) => mesh.get().list(),
         (Err(_), Some(triangles)) => {

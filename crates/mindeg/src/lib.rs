@@ -55,6 +55,8 @@ mod meshed;
 pub mod model;
 mod posed;
 mod regions;
+#[cfg(feature = "interior")]
+pub mod remesh;
 mod searched;
 mod trade_off;
 pub mod verify;

@@ -40,6 +40,8 @@ mod surface;
 mod triangulation;
 
 pub use defect::MeshDefect;
+#[cfg(feature = "interior")]
+pub(crate) use defect::short;
 pub use matching::{DEFAULT_TOLERANCE, MatchedPlane, VerifiedMesh};
 pub use optimality::{Optimality, checked_proof, optimality, optimality_by};
 pub use parts::triangulations;

@@ -16,7 +16,7 @@ pub struct MeshDefect {
 }
 
 impl MeshDefect {
-    pub(super) fn new(kind: &'static str, message: impl Into<String>) -> Self {
+    pub(crate) fn new(kind: &'static str, message: impl Into<String>) -> Self {
         Self { kind, message: message.into() }
     }
 
@@ -34,7 +34,7 @@ impl MeshDefect {
 pub(super) const STRAIGHT: &str = "a turn of less than 1e-9 radians counts as straight";
 
 /// A number with the digits that a reader needs.
-pub(super) fn short(value: f64) -> String {
+pub(crate) fn short(value: f64) -> String {
     let size = value.abs();
     if size != 0.0 && !(1e-3..1e6).contains(&size) {
         return format!("{value:.3e}");

@@ -1,0 +1,199 @@
+//! What a remesh reached.
+
+use crate::numbers::{count, four_digits, percent, steady_angle};
+use crate::surface::Distance;
+use mindeg::remesh::RemeshedPart;
+use mindeg::verify::MeshDefect;
+use mindeg::{Bounds, TriMesh};
+use serde::Serialize;
+
+/// A remesh of a part; docs/remesh.md gives the meaning of each key. Lengths are in units of the file, angles in degrees.
+#[derive(Clone, Debug, Serialize)]
+pub struct RemeshAnswer {
+    file: String,
+    vertices: usize,
+    triangles: usize,
+    /// The edge length that was used.
+    size: f64,
+    /// The tolerance that was asked for, or null.
+    tolerance: Option<f64>,
+    diagonal: f64,
+    degrees: Option<[u32; 2]>,
+    boundary_degrees: Option<[u32; 2]>,
+    off_degree: Vec<OffVertex>,
+    min_angle: f64,
+    min_angle_triangle: u32,
+    corner_limits: Vec<LimitingCorner>,
+    curves: usize,
+    corners: usize,
+    patches: usize,
+    to_part: Distance,
+    from_part: Distance,
+    curves_to_part: Option<Distance>,
+    curves_from_part: Option<Distance>,
+    crossings: usize,
+    part_crossings: usize,
+    dropped: Vec<&'static str>,
+    /// Why the mesh may not take the place of the part.
+    pub defects: Vec<MeshDefect>,
+}
+
+/// A vertex whose degree is not as wanted.
+#[derive(Clone, Debug, Serialize)]
+struct OffVertex {
+    vertex: u32,
+    point: [f64; 3],
+    degree: u32,
+    on_boundary: bool,
+    /// The edges of feature curves that meet there.
+    curves: u32,
+}
+
+/// A corner that allows no greater minimum angle.
+#[derive(Clone, Debug, Serialize)]
+struct LimitingCorner {
+    vertex: u32,
+    point: [f64; 3],
+    /// The angles between its curves.
+    sectors: Vec<f64>,
+    limit: f64,
+}
+
+impl RemeshAnswer {
+    /// The answer for the part of a file and its remesh.
+    #[must_use]
+    pub fn of(file: &str, part: &TriMesh, tolerance: Option<f64>, found: &RemeshedPart) -> Self {
+        let bounds = Bounds::of_space(part.positions().iter().copied());
+        let (reached, verified) = (&found.reached, &found.verified);
+        let off_vertex = |off: &mindeg::remesh::OffDegree| OffVertex {
+            vertex: off.vertex,
+            point: off.at.to_array(),
+            degree: off.degree,
+            on_boundary: off.is_boundary,
+            curves: off.curves,
+        };
+        let corner = |corner: &mindeg::remesh::CornerLimit| LimitingCorner {
+            vertex: corner.vertex,
+            point: corner.at.to_array(),
+            sectors: corner.sectors.clone(),
+            limit: corner.limit,
+        };
+        let curves = |index: usize| found.curves.map(|both| both[index].into());
+        Self {
+            file: file.to_owned(),
+            vertices: verified.vertices,
+            triangles: verified.triangles,
+            size: reached.size,
+            tolerance,
+            diagonal: bounds.map_or(0.0, |bounds| bounds.size().length()),
+            degrees: verified.inside,
+            boundary_degrees: verified.boundary,
+            off_degree: reached.off_degree.iter().map(off_vertex).collect(),
+            min_angle: verified.min_angle.0,
+            min_angle_triangle: verified.min_angle.1,
+            corner_limits: reached.corner_limits.iter().map(corner).collect(),
+            curves: found.features.curves,
+            corners: found.features.corners,
+            patches: found.features.patches,
+            to_part: verified.to_part.into(),
+            from_part: verified.from_part.into(),
+            curves_to_part: curves(1),
+            curves_from_part: curves(0),
+            crossings: verified.crossings.len(),
+            part_crossings: verified.part_crossings,
+            dropped: found.dropped.clone(),
+            defects: found.defects().collect(),
+        }
+    }
+
+    /// The summary for people.
+    #[must_use]
+    pub fn text(&self) -> String {
+        let range = |[least, most]: [u32; 2]| match least == most {
+            true => format!("{least}"),
+            false => format!("{least} to {most}"),
+        };
+        let degrees = match (self.degrees, self.boundary_degrees) {
+            (Some(inside), Some(boundary)) => {
+                format!("{}, {} at the boundary", range(inside), range(boundary))
+            }
+            (Some(degrees), None) | (None, Some(degrees)) => range(degrees),
+            (None, None) => String::new(),
+        };
+        let mut lines = vec![format!(
+            "{}: {} vertices, {} triangles, minimum angle {}; degrees {degrees}",
+            self.file,
+            count(self.vertices as u64),
+            count(self.triangles as u64),
+            steady_angle(self.min_angle),
+        )];
+        let things = |number: usize, one: &str, many: &str| match number {
+            1 => format!("1 {one}"),
+            number => format!("{} {many}", count(number as u64)),
+        };
+        lines.push(match self.curves + self.corners {
+            0 => "It has no feature.".to_owned(),
+            _ => format!(
+                "It keeps {}, {} and {}.",
+                things(self.curves, "feature curve", "feature curves"),
+                things(self.corners, "corner", "corners"),
+                things(self.patches, "patch", "patches between them")
+            ),
+        });
+        lines.push(self.distances());
+        if let Some(worst) = self.corner_limits.iter().min_by(|a, b| a.limit.total_cmp(&b.limit)) {
+            lines.push(format!(
+                "{} the minimum angle, the most at {}: {}; a greater --feature-angle may drop features.",
+                things(self.corner_limits.len(), "corner limits", "corners limit"),
+                point(worst.point),
+                steady_angle(worst.limit)
+            ));
+        }
+        if let Some(off) = self.off_degree.first() {
+            lines.push(format!(
+                "warning: {} another degree than wanted, the first is vertex {} with {}, at {}",
+                things(self.off_degree.len(), "vertex has", "vertices have"),
+                off.vertex,
+                off.degree,
+                point(off.point)
+            ));
+        }
+        if self.crossings > 0 && self.part_crossings > 0 {
+            lines.push(format!(
+                "warning: {} others, and {} of the part",
+                things(self.crossings, "triangle crosses", "triangles cross"),
+                count(self.part_crossings as u64)
+            ));
+        }
+        if !self.dropped.is_empty() {
+            lines.push(format!("Not in the mesh: {}.", self.dropped.join(", ")));
+        }
+        lines.join("\n")
+    }
+
+    fn distances(&self) -> String {
+        let most = |distance: &Distance| match distance.at_most {
+            Some(length) if length <= 1e-8 * self.diagonal => "0".to_owned(),
+            Some(length) if self.diagonal > 0.0 => {
+                format!("{} ({})", four_digits(length), percent(length / self.diagonal))
+            }
+            Some(length) => four_digits(length),
+            None => "∞".to_owned(),
+        };
+        let surfaces = format!(
+            "No point is farther from the part than {}, none of the part farther from the mesh than {}",
+            most(&self.to_part),
+            most(&self.from_part)
+        );
+        match &self.curves_from_part {
+            Some(curves) => {
+                format!("{surfaces}, none of its curves from the mesh's than {}.", most(curves))
+            }
+            None => surfaces + ".",
+        }
+    }
+}
+
+fn point([x, y, z]: [f64; 3]) -> String {
+    format!("({}, {}, {})", four_digits(x), four_digits(y), four_digits(z))
+}
