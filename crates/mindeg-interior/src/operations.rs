@@ -324,3 +324,67 @@ pub(crate) fn operations<S: Manifold>(
         }));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::surface::{OnSurface, Reference, work_mesh};
+    use crate::{goal::Weights, options::Options};
+    use glam::DVec3;
+    use mindeg_surfaces::{FeatureRules, Surface};
+
+    /// A tube of rings of three vertices: an edge of a ring has the third vertex as a neighbour of both ends, though not as
+    /// a corner of its triangles.
+    fn tube() -> Reference {
+        let rings = 5;
+        let point = |v: u32| {
+            let angle = std::f64::consts::TAU * f64::from(v % 3) / 3.0;
+            DVec3::new(libm::cos(angle), libm::sin(angle), f64::from(v / 3))
+        };
+        let points: Vec<DVec3> = (0..3 * rings).map(point).collect();
+        let cells = (0..3 * (rings - 1)).map(|c| (c / 3 * 3, c % 3));
+        let triangles: Vec<[u32; 3]> = cells
+            .flat_map(|(row, i)| {
+                let [a, b] = [row + i, row + (i + 1) % 3];
+                [[a, b, b + 3], [a, b + 3, a + 3]]
+            })
+            .collect();
+        let rules =
+            FeatureRules { angle_deg: 180.0, weak_angle_deg: 180.0, ..FeatureRules::default() };
+        let surface = Surface::new(&points, &triangles, &[], &rules).unwrap();
+        let curves = surface.curves().len();
+        Reference::new(surface, 1.0, 1.0, vec![false; curves])
+    }
+
+    #[test]
+    fn a_collapse_keeps_a_surface_a_surface() {
+        let reference = tube();
+        let weights = Weights::single(&Options::default(), 35.0);
+        let mut mesh = work_mesh(&reference, &reference.surface, &weights).unwrap();
+        let mut cavity: Cavity<OnSurface<'_>> = Cavity::default();
+        let mut keeps = |from: u32, to: u32| {
+            assert!(cavity.open(&mesh, Operation::Collapse { from, to }));
+            cavity.keeps_topology(&mesh, from, to)
+        };
+        // Round the tube, and along it.
+        assert!(!keeps(6, 7) && !keeps(7, 8) && !keeps(8, 6));
+        assert!(keeps(6, 9) && keeps(6, 3) && keeps(7, 10));
+        // Edges that are there already are not made again.
+        let mut flips = 0;
+        for triangle in 0..mesh.triangles.len() as u32 {
+            for corner in 0..3 {
+                let flip = Operation::Flip { triangle, corner };
+                if !cavity.open(&mesh, flip) {
+                    continue;
+                }
+                let Quad { left, right, .. } = cavity.quad(&mesh, triangle, corner);
+                let joined = are_joined(&mesh, left, right.unwrap(), &mut Vec::new());
+                if cavity.plan(&mut mesh, flip) {
+                    flips += 1;
+                    assert!(!joined);
+                }
+            }
+        }
+        assert!(flips > 0);
+    }
+}

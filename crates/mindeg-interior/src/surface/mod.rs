@@ -17,3 +17,5 @@ pub use remeshed::{
     CornerLimit, OffDegree, RemeshError, RemeshOptions, RemeshReport, Remeshed, RemeshedCurve,
     remesh,
 };
+#[cfg(test)]
+pub(crate) use {reference::OnSurface, reference::Reference, work::work_mesh};
