@@ -512,6 +512,43 @@ test("a file of several polygons offers each", async () => {
   await page.context().close();
 });
 
+const MAP = {
+  name: "a map", rectangle: { width: 4, height: 2 }, size: 0.5,
+  lines: [{ corners: [[2, 0], [2, 2]], name: "interface", size: 0.5 }, { points: [[2.5, 0.5], [3, 0.75], [3.5, 0.5]], name: "fault" }],
+  points: [{ at: [3, 1.5], name: "gauge" }],
+  regions: [{ at: [0.75, 1], name: "clay" }, { at: [3.25, 1.2], name: "sand" }],
+};
+
+test("lines, points and regions of a map are drawn with their names", async () => {
+  const page = await open();
+  const names = () => page.locator(".stage").evaluateAll((all) => all.map((stage) => stage.dataset.names));
+  const choice = page.locator("#names-choice");
+  assert.deepEqual(await names(), [undefined, undefined]);
+  assert.ok(await choice.isHidden());
+  await page.locator("#file").setInputFiles({ name: "map.json", mimeType: "application/json", buffer: Buffer.from(JSON.stringify(MAP)) });
+  await page.waitForFunction(() => document.querySelector("#title").textContent === "a map");
+  await answered(page);
+  assert.match(await facts(page), /^24 boundary vertices/);
+  assert.ok((await facts(page)).includes(" · 2 lines · 2 regions · "));
+  const all = "gauge, clay, sand, interface, fault";
+  assert.deepEqual(await names(), [all, all]);
+  const named = await picture(page);
+  await page.uncheck("#names");
+  await page.waitForFunction(() => !document.querySelector(".stage").dataset.names);
+  await page.waitForTimeout(200);
+  const plain = await picture(page);
+  assert.notEqual(plain, named);
+  // Zoomed in on the left half, what is out of sight has no name.
+  await page.check("#names");
+  await page.evaluate(async () => {
+    const { moveTo, zoomBy } = await import("/page/pictures.js");
+    zoomBy(4);
+    moveTo(0.75, 1);
+  });
+  await page.waitForFunction(() => document.querySelector(".stage").dataset.names === "clay");
+  await page.context().close();
+});
+
 test("every format is downloaded, and GLB is read back", async () => {
   const page = await open();
   const formats = await page.locator("#format option").evaluateAll((all) => all.map(({ value }) => value));

@@ -173,8 +173,6 @@ fn degrees_come_with_their_bound() {
     assert_eq!(3 * triangles, 2 * interior + 46);
     mindeg(["mesh", MAP, "--max-degree", "5", "-o", "map.obj"])
         .refuses(&["no mesh of maximum degree 5"]);
-    mindeg(["mesh", MAP, "--optimize", "angle", "-o", "map.obj"])
-        .refuses(&["for a map give --keep-angle or --max-degree"]);
     let proof = ["degree", MAP, "--proof", "proof.json"];
     mindeg(proof).refuses(&["mindeg verify finds and checks its proof"]);
     mindeg(["suggest", MAP]).refuses(&["mindeg degree tells its degree"]);
@@ -218,4 +216,67 @@ fn maps_are_compared_region_by_region() {
         own["violations"] == 0 && other["failure"] == "it takes no lines or points inside",
         "{report}"
     );
+}
+
+/// Limits of single vertices hold with each goal, and are said to be out of reach where they are.
+#[test]
+fn limits_of_single_vertices_are_kept() {
+    let folder = tempdir().expect("a folder");
+    let at = |name: &str| folder.path().join(name);
+    let (domain, mesh) = (at("map.json"), at("map.obj"));
+    let limits = [(0, 2), (5, 3), (8, 4), (17, 3), (18, 3), (30, 3)];
+    let json = |vertices: serde_json::Value| {
+        serde_json::json!({"rectangle": {"width": 4, "height": 2}, "size": 0.25, "vertices": vertices,
+            "lines": [{"corners": [[2, 0], [2, 2]], "size": 0.25}]})
+    };
+    let listed = |limits: &[(u32, u32)]| {
+        limits
+            .iter()
+            .map(|(vertex, limit)| serde_json::json!({"vertex": vertex, "max_degree": limit}))
+            .collect()
+    };
+    fs::write(&domain, json(listed(&limits)).to_string()).expect("a file");
+    // The neighbours of each vertex, from 1.
+    let degrees = || {
+        let mut edges = std::collections::BTreeSet::new();
+        for face in fs::read_to_string(&mesh)
+            .expect("an OBJ")
+            .lines()
+            .filter_map(|line| line.strip_prefix("f "))
+        {
+            let [a, b, c] = face
+                .split(' ')
+                .map(|v| v.split('/').next().unwrap_or(v).parse::<u32>().expect("an index"))
+                .collect::<Vec<_>>()[..]
+            else {
+                panic!("{face}")
+            };
+            edges.extend([[a, b], [b, c], [c, a]].map(|[a, b]| [a.min(b), a.max(b)]));
+        }
+        move |vertex: u32| edges.iter().flatten().filter(|end| **end == vertex + 1).count() as u32
+    };
+    let mut angles = Vec::new();
+    for goal in
+        [&[][..], &["--max-degree", "6"], &["--keep-angle", "50%"], &["--optimize", "angle"]]
+    {
+        let made =
+            mindeg([&["mesh", text(&domain), "-o", text(&mesh), "--json"], goal].concat()).json();
+        angles.push(made["min_angle"].as_f64().expect("an angle"));
+        let degree = degrees();
+        for (vertex, limit) in limits {
+            assert!(degree(vertex) <= limit, "{goal:?}: vertex {vertex}");
+        }
+    }
+    assert!(angles[1] > angles[0] && angles[3] >= angles[0], "{angles:?}");
+    // Without limits, some vertex has more.
+    fs::write(&domain, json(listed(&[])).to_string()).expect("a file");
+    mindeg(["mesh", text(&domain), "-o", text(&mesh), "-q"]).text();
+    let degree = degrees();
+    assert!(limits.iter().any(|&(vertex, limit)| degree(vertex) > limit));
+    let all: Vec<_> =
+        (1..24).filter(|v| ![0, 8, 16].contains(&(v % 24))).map(|vertex| (vertex, 3)).collect();
+    fs::write(&domain, json(listed(&all)).to_string()).expect("a file");
+    mindeg(["mesh", text(&domain), "-o", text(&at("none.obj"))])
+        .refuses(&["keeps the degree limits of single vertices"]);
+    assert!(!at("none.obj").exists());
 }

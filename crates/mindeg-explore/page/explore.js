@@ -121,6 +121,7 @@ function startControls() {
     ask();
   });
   element("dots").addEventListener("change", () => redraw(true));
+  element("names").addEventListener("change", () => redraw());
   element("stretch").addEventListener("change", ({ target }) => {
     state.stretch = view.stretch = target.checked;
     resize();

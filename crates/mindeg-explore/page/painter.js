@@ -86,7 +86,9 @@ function take(run, line) {
   if (line.kind === "domain") {
     const points = unpack(line.points, Float64Array);
     for (let i = 0; i < points.length; i++) points[i] += line.center[i % 2];
-    line = run.domain = { ...line, points };
+    const lines = line.lines.map((own) => ({ ...own, segments: unpack(own.segments, Float64Array) }));
+    for (const { segments } of lines) for (let i = 0; i < segments.length; i++) segments[i] += line.center[i % 2];
+    line = run.domain = { ...line, points, lines };
   } else if (line.kind === "mesh") {
     clearTimeout(run.held.get(line.view));
     // Pictures would flicker if they changed twice for each step of a corner.
@@ -127,11 +129,14 @@ function closedLine(points, from, to) {
   return line;
 }
 
+/** The edges of a line inside, each as a line of its own. */
+const edges = (segments) => Array.from({ length: segments.length / 4 }, (_, i) => segments.subarray(4 * i, 4 * i + 4));
+
 /** Makes a scene of a mesh and draws it. */
 function show(run, line) {
   const stage = stages.get(line.view);
   if (!stage) return;
-  const { points, rings, center } = run.domain;
+  const { points, rings, center, lines } = run.domain;
   const inside = unpack(line.interior_points, Float64Array);
   const all = new Float64Array(points.length + inside.length);
   all.set(points);
@@ -142,9 +147,10 @@ function show(run, line) {
     triangles: unpack(line.triangles, Uint32Array),
     degrees: unpack(line.degrees, Uint32Array),
     values,
-    outlines: rings.slice(1).map((end, i) => closedLine(points, rings[i], end)),
+    outlines: [...rings.slice(1).map((end, i) => closedLine(points, rings[i], end)), ...lines.flatMap(({ segments }) => edges(segments))],
     isRing: rings.length === 2 && !inside.length,
-    fillsOutlines: true,
+    // Regions of a map may be holes.
+    fillsOutlines: !lines.length,
     leastDegree: line.at_least,
     worst: line.worst_triangle,
     maxDegreeVertex: line.max_degree_vertex,

@@ -3,13 +3,14 @@
 
 import { worker } from "./asking.js";
 import { drawHandles, indexedSides } from "./editor.js";
+import { drawNames } from "./names.js";
 import { element } from "./show.js";
 import { bounds, isWide, lookAtAll, view, wantsStretch } from "./stage.js";
 import { selection, shown, state } from "./state.js";
 
 /** The stage of the wanted mesh, and the one beside it. */
 export const stages = [];
-export const looks = { colors: null, accent: "", card: "" };
+export const looks = { colors: null, accent: "", card: "", text: "" };
 
 let cursor = null;
 let found = {};
@@ -31,6 +32,9 @@ export function redraw(hasMoved = false) {
     mustPaint = false;
     for (const stage of stages) {
       const context = stage.mark(looks.colors, { cursor, found: found[stage.view], decides: shown.decides });
+      if (context && shown.places.length && element("names").checked) {
+        stage.element.dataset.names = drawNames(context, stage.frame, looks, shown.places).join(", ");
+      } else delete stage.element.dataset.names;
       if (context && stage === stages[0] && shown.domain) {
         const { corner: chosen, drag } = selection;
         drawHandles(context, stage.frame, looks, { domain: state.domain, shown: shown.domain, chosen, side: drag ? null : sideNow() });
@@ -49,7 +53,7 @@ export function sideNow() {
 export function readLooks() {
   looks.colors = pageColors();
   const computed = getComputedStyle(document.documentElement);
-  for (const name of ["accent", "card"]) looks[name] = computed.getPropertyValue(`--${name}`).trim();
+  for (const name of ["accent", "card", "text"]) looks[name] = computed.getPropertyValue(`--${name}`).trim();
   redraw(true);
 }
 

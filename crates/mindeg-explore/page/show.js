@@ -2,6 +2,7 @@
 // From the viewer's script: DEGREE_COLORS, make and the charts.
 
 import { angleText, showCurve } from "./curve.js";
+import { namedPlaces } from "./names.js";
 import { canRedo, canUndo, shown, state } from "./state.js";
 
 export const element = (id) => document.getElementById(id);
@@ -13,12 +14,17 @@ export const NAMES = { least: "Least degree", delaunay: "Delaunay", interior: "W
 const wantedDegree = () => state.goal.max_degree ?? shown.wantedDegree;
 
 export function showDomain(domain) {
-  const { name, vertices, triangles, rings } = domain;
+  const { name, vertices, triangles, rings, lines, region_count: regions } = domain;
   const holes = rings.length - 2;
   element("title").textContent = name ?? "A domain";
   const counted = [`${vertices} boundary vertices`, `${triangles} triangles without points inside`];
   if (holes) counted.splice(1, 0, holes === 1 ? "1 hole" : `${holes} holes`);
+  const several = (count, thing) => (count === 1 ? `1 ${thing}` : `${count} ${thing}s`);
+  if (lines.length) counted.splice(-1, 0, several(lines.length, "line"));
+  if (regions) counted.splice(-1, 0, several(regions, "region"));
   element("facts").textContent = counted.join(" · ");
+  shown.places = namedPlaces(domain);
+  element("names-choice").hidden = !shown.places.length;
   showNotes(domain.notes);
 }
 

@@ -17,8 +17,8 @@ export const state = {
  */
 export const selection = { corner: null, side: null, drag: null, mustFit: true };
 
-/** The last answers; `decides` are places that were asked for, `sourceNotes` tell what a file lost. */
-export const shown = { domain: null, meshes: {}, curve: null, degree: null, limit: null, wantedDegree: null, decides: [], sourceNotes: [] };
+/** The last answers; `decides` are places that were asked for, `sourceNotes` tell what a file lost; `places` have names. */
+export const shown = { domain: null, meshes: {}, curve: null, degree: null, limit: null, wantedDegree: null, decides: [], sourceNotes: [], places: [] };
 
 const past = [];
 const future = [];

@@ -32,6 +32,7 @@ pub(crate) fn named(name: &str) -> Option<File> {
         "editing.js" => script(include_str!("../page/editing.js")),
         "editor.js" => script(include_str!("../page/editor.js")),
         "explore.js" => script(include_str!("../page/explore.js")),
+        "names.js" => script(include_str!("../page/names.js")),
         "painter.js" => script(include_str!("../page/painter.js")),
         "pictures.js" => script(include_str!("../page/pictures.js")),
         "server.js" => script(include_str!("../page/server.js")),

@@ -69,6 +69,14 @@ pub struct DomainShown {
     pub rings: Vec<u32>,
     /// The sides of all rings.
     pub sides: Vec<SideShown>,
+    /// The lines inside.
+    pub lines: Vec<LineShown>,
+    /// The points inside that have a name of their own.
+    pub named_points: Vec<PlaceShown>,
+    /// The regions of a map that are no holes, where a place in them is given.
+    pub regions: Vec<PlaceShown>,
+    /// How many regions a map has; 0 if the domain is none.
+    pub region_count: usize,
     /// The changes to the description, in sentences.
     pub notes: Vec<String>,
 }
@@ -86,6 +94,24 @@ pub struct SideShown {
     pub intervals: u32,
     /// Whether all its points are on a straight line.
     pub is_straight: bool,
+}
+
+/// A line inside a domain.
+#[derive(Clone, Debug, Serialize)]
+pub struct LineShown {
+    /// Its name; empty if it has none.
+    pub name: String,
+    /// The two ends of each of its edges: `f64`, base64.
+    pub segments: String,
+}
+
+/// A name and where it is.
+#[derive(Clone, Debug, Serialize)]
+pub struct PlaceShown {
+    /// The name.
+    pub name: String,
+    /// Its x and y; not from the center.
+    pub at: [f64; 2],
 }
 
 /// A mesh, what it is like and how it is colored.

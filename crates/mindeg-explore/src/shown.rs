@@ -2,14 +2,16 @@
 
 use mindeg::glam::DVec2;
 use mindeg::quality::{DegreeHistogram, Distribution, METRICS, Metric, TriangleQuality};
-use mindeg::{BoundaryMesh, Domain, TriMesh};
+use mindeg::{BoundaryMesh, Domain, Line, Region, TriMesh};
 use mindeg_answers::interior::{angles_and_degrees, local_limits};
 use mindeg_answers::mesh as words;
 use mindeg_answers::numbers::steady_angle;
 use mindeg_answers::sizes::coarse_sides;
 use mindeg_compare::axis::{Axis, BARS};
+use mindeg_mesh::LineKind;
+use mindeg_mesh::planar::PlanarBoundary;
 
-use crate::api::{Bars, DomainShown, Request, Shown, SideShown, View};
+use crate::api::{Bars, DomainShown, LineShown, PlaceShown, Request, Shown, SideShown, View};
 use crate::arrays::{f32s, f64s, u32s};
 use crate::mesh::Made;
 
@@ -42,15 +44,62 @@ pub(crate) fn domain(domain: &Domain) -> DomainShown {
     DomainShown {
         name: domain.name().map(str::to_owned),
         vertices: rings.vertex_count(),
-        triangles: rings.triangle_count() + 2 * domain.inner_points().len() as u32,
+        triangles: triangle_count(domain),
         is_convex: domain.convex().is_some(),
         center: center.to_array(),
         size: size.to_array(),
         points: f64s(domain.placement().points().map(|point| point - center)),
         rings: rings.rings().map(|ring| ring.start).chain([rings.vertex_count()]).collect(),
         sides: (0..rings.side_count()).map(side).collect(),
+        lines: lines(domain, center),
+        named_points: named_points(domain),
+        regions: regions(domain),
+        region_count: if domain.is_map() { open_faces(domain).count() } else { 0 },
         notes: domain.notes(),
     }
+}
+
+/// The faces that are no holes; one without lines.
+fn open_faces(domain: &Domain) -> impl Iterator<Item = u32> {
+    let count = domain.faces().map_or(1, |faces| faces.count as u32);
+    (0..count).filter(|&face| !domain.is_hole(face))
+}
+
+/// The number of triangles of every mesh of the boundary and the points inside: regions that are holes have none.
+fn triangle_count(domain: &Domain) -> u32 {
+    let whole = domain.rings().triangle_count() + 2 * domain.inner_points().len() as u32;
+    let (Some(faces), Ok(boundary)) = (domain.faces(), domain.boundary()) else { return whole };
+    let borders = (0..).zip(boundary.face_borders(faces));
+    let holes = borders.filter(|(face, _)| domain.is_hole(*face)).map(|(_, hole)| hole.boundary);
+    let triangles = |hole: PlanarBoundary| {
+        hole.vertex_count() + 2 * (hole.ring_count() + hole.inner_points().len()) as u32 - 4
+    };
+    whole - holes.map(triangles).sum::<u32>()
+}
+
+fn lines(domain: &Domain, center: DVec2) -> Vec<LineShown> {
+    let Ok(boundary) = domain.boundary() else { return Vec::new() };
+    let (points, segments) = (|v: &u32| boundary.point(*v) - center, domain.inner_segments());
+    let line = |(line, _): (Line, Option<LineKind>)| {
+        let own = &segments[line.segments.start as usize..line.segments.end as usize];
+        LineShown { name: line.name, segments: f64s(own.as_flattened().iter().map(points)) }
+    };
+    domain.inner_lines().into_iter().map(line).collect()
+}
+
+fn named_points(domain: &Domain) -> Vec<PlaceShown> {
+    let points = domain.inside().points.iter();
+    let named = points.filter_map(|point| Some((point.name.clone()?, point.at)));
+    named.map(|(name, at)| PlaceShown { name, at: at.to_array() }).collect()
+}
+
+fn regions(domain: &Domain) -> Vec<PlaceShown> {
+    let regions = (0..).zip(&domain.inside().regions).filter(|(_, region)| !region.hole);
+    let place = |(face, region): (u32, &Region)| PlaceShown {
+        name: domain.region_name(face),
+        at: region.at.to_array(),
+    };
+    regions.map(place).collect()
 }
 
 /// A mesh with its figures.
@@ -261,6 +310,36 @@ mod tests {
         let frame = Frame::of(&plate("[]").0);
         assert_eq!(frame.center, DVec2::new(3.0, 3.5));
         assert_eq!(frame.size, DVec2::new(4.0, 3.0));
+    }
+
+    /// A ring of lines round a hole, a line that ends inside, and a point.
+    #[test]
+    fn lines_points_and_regions_are_told_with_their_names() {
+        let map = r#"{"rectangle": {"width": 4, "height": 3}, "size": 1,
+            "lines": [{"corners": [[1, 1], [2, 1], [2, 2], [1, 2]], "closed": true},
+                {"corners": [[4, 2], [3, 2]], "name": "wall"}],
+            "points": [{"at": [0.5, 0.5]}, {"at": [3.5, 2.5], "name": "gauge"}],
+            "regions": [{"at": [1.5, 1.5], "hole": true}, {"at": [3.5, 0.5], "name": "steel"}]}"#;
+        let domain = Domain::from_json(map).unwrap();
+        let shown = super::domain(&domain);
+        let names = |places: &[PlaceShown]| {
+            places.iter().map(|it| (it.name.clone(), it.at)).collect::<Vec<_>>()
+        };
+        assert_eq!(names(&shown.named_points), [("gauge".to_owned(), [3.5, 2.5])]);
+        assert_eq!(names(&shown.regions), [("steel".to_owned(), [3.5, 0.5])]);
+        assert_eq!(shown.region_count, 1);
+        let mesh =
+            mindeg::mesh(&domain, mindeg::Goal::LeastDegree, mindeg::Progress::NONE).unwrap();
+        assert_eq!(shown.triangles, mesh.mesh.triangle_count());
+        // From the center of the rectangle.
+        let wall = [[2.0, 0.5], [1.0, 0.5]].map(DVec2::from);
+        assert_eq!(
+            (&*shown.lines[1].name, &shown.lines[1].segments),
+            ("wall", &f64s(wall.into_iter()))
+        );
+        assert_eq!(shown.lines.len(), 2);
+        let plain = super::domain(&plate("[]").0);
+        assert!(plain.lines.is_empty() && plain.regions.is_empty() && plain.region_count == 0);
     }
 
     #[test]

@@ -84,7 +84,7 @@ pub struct GoalKind {
     /// The words of a choice between goals, with `{}` for the value; `None` where a curve or another control
     /// offers it.
     pub choice: Option<&'static str>,
-    /// Whether models, and maps without interior points, take it.
+    /// Whether models take it.
     pub models: bool,
     /// The option of `mindeg mesh --interior` to give instead, and what it does; `None` for a goal that holds with
     /// interior points.
@@ -189,7 +189,7 @@ impl Goal {
         (kind.expect("each goal has a row, as a test holds"), value)
     }
 
-    /// Why a subject does not take this goal, and which goals models and maps take; `of` takes it.
+    /// Why a subject does not take this goal, and which goals models take; `of` takes it.
     pub(crate) fn refused(self, of: &str, subject: &str) -> MeshError {
         let others = GOALS.iter().filter(|kind| kind.models && kind.value != GoalValue::Nothing);
         let instead = others.map(GoalKind::option).collect::<Vec<_>>().join(" or ");
@@ -233,9 +233,7 @@ pub fn mesh(domain: &Domain, goal: Goal, progress: Progress<'_>) -> Result<Meshe
             Goal::LeastDegree => map::least_degree(domain, progress),
             Goal::KeepAngle(share) => map::keep_angle(domain, share, progress),
             Goal::MaxDegree(limit) => map::max_degree(domain, limit, progress),
-            Goal::Optimize(_) => {
-                Err(goal.refused("a domain without lines or points inside", "a map"))
-            }
+            Goal::Optimize(Optimized::Angle) => map::optimize(domain, progress),
         };
     }
     match goal {

@@ -25,6 +25,9 @@ const WORK: f64 = 0.0625;
 /// Where several meshes are tried, the share of the work of one.
 const TRY: f64 = 0.125;
 
+/// A mesh that keeps limits of single vertices is looked for up to so many degrees above one that does not.
+const MORE: u32 = 3;
+
 /// Beyond so many vertices a larger angle is not tried for: a try takes as long as a share of the search for the degree.
 const FEW: u32 = 250;
 
@@ -33,8 +36,10 @@ pub(crate) struct MapMesh {
     pub(crate) mesh: BoundaryMesh,
     /// Why no mesh, or none whose angles are as large as was asked for, has a smaller maximum degree.
     pub(crate) bound: JointBound,
-    /// No mesh has a smaller maximum degree, whatever its angles.
+    /// No mesh has a smaller maximum degree, whatever its angles and the limits of single vertices.
     at_least: u32,
+    /// Whether no vertex is above its own limit.
+    keeps_limits: bool,
     /// The rings of each face that is no hole, the outer one first, by vertices.
     pub(crate) rings: Vec<Vec<Vec<u32>>>,
     /// The minimum angle of the Delaunay triangulations of all faces, in degrees.
@@ -59,12 +64,13 @@ impl MapMesh {
 }
 
 /// The mesh of a map whose angles are at least `share` of the minimum angle of Delaunay triangulations of its faces. The
-/// work on its degree ends at `limit`; `effort` is how long to look for each degree.
+/// work on its degree ends at `limit`; `effort` is how long to look for each degree. Limits of single vertices count
+/// where they are below `limit`, so they need one.
 ///
 /// # Errors
 ///
-/// Limits of degrees of single vertices; a face whose points are too close to triangulate; a `progress` that cancels.
-pub(crate) fn mesh_map(
+/// A face whose points are too close to triangulate; a `progress` that cancels.
+fn mesh_map(
     domain: &Domain,
     share: f64,
     limit: u32,
@@ -74,8 +80,17 @@ pub(crate) fn mesh_map(
     let mut joint = joint(domain, progress)?;
     joint.keep_least(share);
     let delaunay_min_angle = libm::atan(joint.delaunay_tangent()).to_degrees();
+    let any = cheap(&joint);
+    // A vertex that may have two edges less than all others has two from the start.
+    let mut is_limited = false;
+    for (vertex, own) in vertex_limits(domain).filter(|(_, own)| *own < limit) {
+        joint.raise(vertex, limit - own);
+        is_limited = true;
+    }
     let bound = solve(&mut joint, limit, WORK * effort, progress)?;
-    let at_least = if share > 0.0 { cheap(&joint).max_degree() } else { bound.max_degree() };
+    let at_least = if share > 0.0 || is_limited { any.max_degree() } else { bound.max_degree() };
+    // A bound with limits says nothing of meshes without.
+    let bound = if is_limited { any } else { bound };
     let mut triangles = Vec::new();
     let mut rings = Vec::with_capacity(joint.face_count());
     for (face, own) in joint.triangles.iter().enumerate() {
@@ -86,7 +101,41 @@ pub(crate) fn mesh_map(
         rings.push(boundary.rings().map(ring).collect());
     }
     let mesh = BoundaryMesh::with_triangles(domain, triangles)?;
-    Ok(MapMesh { mesh, bound, at_least, rings, delaunay_min_angle })
+    let keeps_limits = vertex_limits(domain).all(|(vertex, own)| mesh.total_degree(vertex) <= own);
+    Ok(MapMesh { mesh, bound, at_least, keeps_limits, rings, delaunay_min_angle })
+}
+
+/// The limits of single vertices, with these.
+fn vertex_limits(domain: &Domain) -> impl Iterator<Item = (u32, u32)> {
+    let on_rings = if domain.is_constrained() { domain.rings().vertex_count() } else { 0 };
+    (0..on_rings).filter_map(|vertex| Some((vertex, domain.degree_limit(vertex)?)))
+}
+
+/// The mesh of the least degree that is found with a share of Delaunay's minimum angle, down to a limit, and that keeps
+/// the limits of single vertices.
+///
+/// # Errors
+///
+/// The errors of [`mesh_map`], and limits that no mesh is found to keep.
+fn lowest(
+    domain: &Domain,
+    share: f64,
+    limit: u32,
+    effort: f64,
+    progress: Progress<'_>,
+) -> Result<MapMesh, MeshError> {
+    let free = mesh_map(domain, share, limit, effort, progress)?;
+    if free.keeps_limits {
+        return Ok(free);
+    }
+    let least = free.at_least.max(limit);
+    for degree in least..=free.max_degree().max(least) + MORE {
+        let kept = mesh_map(domain, share, degree, effort, progress)?;
+        if kept.keeps_limits && kept.max_degree() <= degree {
+            return Ok(MapMesh { bound: free.bound, at_least: free.at_least, ..kept });
+        }
+    }
+    Err(MeshError::LimitsNotReached)
 }
 
 /// The mesh of the least degree that is found; of a map that is not large, one with a larger angle, if short tries find it.
@@ -95,9 +144,24 @@ pub(crate) fn least_degree(domain: &Domain, progress: Progress<'_>) -> Result<Me
     if found.mesh.vertex_count() > FEW {
         return Ok(found.meshed(0.0));
     }
+    larger(domain, found, TRY, progress)
+}
+
+/// The mesh of the least degree that is found, with the largest angle that long tries find.
+pub(crate) fn optimize(domain: &Domain, progress: Progress<'_>) -> Result<Meshed, MeshError> {
+    larger(domain, least(domain, 0, 1.0, progress)?, 1.0, progress)
+}
+
+/// A mesh of the degree of one that was found, with a larger angle if tries find it.
+fn larger(
+    domain: &Domain,
+    found: MapMesh,
+    effort: f64,
+    progress: Progress<'_>,
+) -> Result<Meshed, MeshError> {
     let wider = SHARES.into_iter().filter(|&share| share > 0.0);
     let (limit, at_least) = (found.max_degree(), found.at_least);
-    let larger = within(domain, wider, limit, progress)?;
+    let larger = within(domain, wider, limit, effort, progress)?;
     let larger = larger.map(|meshed| Meshed {
         least_max_degree: at_least,
         is_least_proven: at_least == meshed.mesh.max_total_degree(),
@@ -117,11 +181,11 @@ pub(crate) fn least(
     effort: f64,
     progress: Progress<'_>,
 ) -> Result<MapMesh, MeshError> {
-    let mut best = mesh_map(domain, 0.0, limit, effort, progress)?;
+    let mut best = lowest(domain, 0.0, limit, effort, progress)?;
     // A search that aims far below what is possible may end above what one for the next degree reaches.
     while best.max_degree() > best.at_least.max(limit) + 1 {
         let next = mesh_map(domain, 0.0, best.max_degree() - 1, effort, progress)?;
-        if next.max_degree() >= best.max_degree() {
+        if next.max_degree() >= best.max_degree() || !next.keeps_limits {
             break;
         }
         best.mesh = next.mesh;
@@ -135,10 +199,10 @@ pub(crate) fn keep_angle(
     share: f64,
     progress: Progress<'_>,
 ) -> Result<Meshed, MeshError> {
-    let kept = mesh_map(domain, share, 0, 1.0, progress)?;
+    let kept = lowest(domain, share, 0, 1.0, progress)?;
     // The same degree may keep more.
     let more = SHARES.into_iter().filter(|&more| more > share);
-    let best = within(domain, more, kept.max_degree(), progress)?;
+    let best = within(domain, more, kept.max_degree(), TRY, progress)?;
     Ok(best.unwrap_or_else(|| kept.meshed(share)))
 }
 
@@ -148,26 +212,31 @@ pub(crate) fn max_degree(
     limit: u32,
     progress: Progress<'_>,
 ) -> Result<Meshed, MeshError> {
-    if let Some(meshed) = within(domain, SHARES, limit, progress)? {
+    if let Some(meshed) = within(domain, SHARES, limit, TRY, progress)? {
         return Ok(meshed);
     }
     let found = mesh_map(domain, 0.0, limit, 1.0, progress)?;
-    if found.max_degree() <= limit {
+    if found.max_degree() <= limit && found.keeps_limits {
         return Ok(found.meshed(0.0));
+    }
+    if found.max_degree() <= limit {
+        return Err(MeshError::LimitsNotReached);
     }
     Err(MeshError::not_reached(limit, found.max_degree(), found.at_least))
 }
 
-/// The mesh with the largest of some shares, which fall, that is found within a degree limit by short tries.
+/// The mesh with the largest of some shares, which fall, that is found within a degree limit; `effort` is how long to look
+/// with each.
 fn within(
     domain: &Domain,
     shares: impl IntoIterator<Item = f64>,
     limit: u32,
+    effort: f64,
     progress: Progress<'_>,
 ) -> Result<Option<Meshed>, MeshError> {
     for share in shares {
-        let found = mesh_map(domain, share, limit, TRY, progress)?;
-        if found.max_degree() <= limit {
+        let found = mesh_map(domain, share, limit, effort, progress)?;
+        if found.max_degree() <= limit && found.keeps_limits {
             return Ok(Some(found.meshed(share)));
         }
     }
@@ -183,7 +252,12 @@ pub(crate) fn trade_off(
     let mut meshes = Vec::<ExactMesh>::new();
     let mut most = 0.0;
     for share in SHARES {
-        let found = mesh_map(domain, share, 0, if share > 0.0 { TRY } else { 1.0 }, progress)?;
+        let found = lowest(domain, share, 0, if share > 0.0 { TRY } else { 1.0 }, progress);
+        let found = match found {
+            // Smaller angles may keep the limits of single vertices.
+            Err(MeshError::LimitsNotReached) if share > 0.0 => continue,
+            found => found?,
+        };
         most = found.delaunay_min_angle;
         let max_degree = found.max_degree();
         if meshes.last().is_none_or(|last| max_degree < last.max_degree) {
@@ -209,12 +283,6 @@ pub(crate) fn delaunay_min_angle(
 fn joint(domain: &Domain, progress: Progress<'_>) -> Result<Joint, MeshError> {
     let boundary = domain.boundary()?;
     let on_rings = boundary.vertex_count();
-    if domain.is_constrained() && (0..on_rings).any(|v| domain.degree_limit(v).is_some()) {
-        return Err(MeshError::refused(
-            "the domain has lines or points inside and max_degree of single vertices, which takes interior points: \
-             mesh it with --interior, or give --max-degree for all vertices",
-        ));
-    }
     let computed;
     let faces = match domain.faces() {
         Some(faces) => faces,

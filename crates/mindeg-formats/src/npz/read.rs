@@ -60,7 +60,9 @@ pub fn read(mut input: impl Read) -> Result<TriMesh, ReadError> {
     let mut elements = Named { file: &file, archive: &mut archive };
     if let Some((groups, names)) = elements.pair("triangle_groups", "triangle_names")? {
         let mut runs = Runs::default();
-        for triangle in 0..length("triangle_groups", &groups, mesh.triangles().len())? {
+        let count = mesh.triangles().len();
+        length("triangle_groups", &groups, count)?;
+        for triangle in 0..count {
             let (of, name) = named("triangle_groups", &groups, triangle, &names)?;
             runs.push(of, triangle + 1, || name.to_owned())?;
         }
@@ -71,19 +73,21 @@ pub fn read(mut input: impl Read) -> Result<TriMesh, ReadError> {
     {
         let ends = indices("segments", &ends, rows)?;
         let mut segments = Segments::default();
-        for segment in 0..length("segment_groups", &groups, ends.len())? {
+        length("segment_groups", &groups, ends.len())?;
+        for (segment, ends) in ends.into_iter().enumerate() {
             let (of, name) = named("segment_groups", &groups, segment, &names)?;
-            segments.push(of, ends[segment], || name.to_owned())?;
+            segments.push(of, ends, || name.to_owned())?;
         }
         let (lines, segments) = segments.into_lines();
         mesh = mesh.with_lines(lines, segments)?;
     }
     if let Some((vertices, names)) = elements.pair("named_points", "point_names")? {
         let mut points = Vec::new();
-        for point in 0..length("named_points", &vertices, names.len())? {
+        length("named_points", &vertices, names.len())?;
+        for (point, name) in names.into_iter().enumerate() {
             let vertex = index(&vertices, [0, point], rows)
                 .map_err(|problem| ReadError::place(format!("named_points[{point}]"), problem))?;
-            points.push(NamedVertex { vertex, name: names[point].clone() });
+            points.push(NamedVertex { vertex, name });
         }
         mesh = mesh.with_named_vertices(points)?;
     }
@@ -118,10 +122,10 @@ impl<'f> Named<'f, '_> {
     }
 }
 
-/// The length of an array of one dimension, which is so long.
-fn length(name: &str, array: &Array<'_>, expected: usize) -> Result<usize, ReadError> {
+/// Checks the length of an array of one dimension.
+fn length(name: &str, array: &Array<'_>, expected: usize) -> Result<(), ReadError> {
     match array.shape() {
-        [1, length] if length == expected => Ok(length),
+        [1, length] if length == expected => Ok(()),
         [rows, columns] => {
             let problem = format!("has the shape ({rows}, {columns}), expected {expected} numbers");
             Err(ReadError::place(name, problem))

@@ -78,6 +78,14 @@ impl Joint {
         self.totals.iter().copied().max().unwrap_or(0)
     }
 
+    /// Counts so many edges more at a vertex.
+    pub(crate) fn raise(&mut self, vertex: u32, by: u32) {
+        for degrees in [&mut self.edge_degrees, &mut self.totals] {
+            let degree = &mut degrees[vertex as usize];
+            *degree = degree.saturating_add(by);
+        }
+    }
+
     /// Gives a face other triangles.
     pub(crate) fn replace(&mut self, face: usize, triangles: Vec<[u32; 3]>) {
         let own = &self.faces[face];
