@@ -20,9 +20,6 @@ use std::path::PathBuf;
 
 pub(crate) use features::are_one_map;
 
-/// What to do with polygons that are not the regions of one mesh.
-const SEPARATE: &str = "give --separate and a folder, such as -o meshes/, for a mesh of each polygon, or choose one with --feature";
-
 pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
     let output = &arguments.surface.output;
     match subject(&arguments.domain, Wanted::Model, &Bar::new(arguments.quiet))? {
@@ -32,7 +29,7 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
                 return interior::run_maps(arguments, &polygons);
             }
             if features::is_one_mesh(arguments) {
-                let parts = Parts::of(&polygons, SEPARATE)?;
+                let parts = Parts::of(&polygons, features::SEPARATE)?;
                 return match &parts.domains[..] {
                     [map] => mesh_of(map, arguments, output),
                     _ => beside::run(&parts, arguments),

@@ -7,6 +7,9 @@ use mindeg::Domain;
 use mindeg_files::{Format, PolygonFile};
 use std::path::PathBuf;
 
+/// What to do with polygons that are not the regions of one mesh.
+pub(super) const SEPARATE: &str = "give --separate and a folder, such as -o meshes/, for a mesh of each polygon, or choose one with --feature";
+
 /// Whether the polygons of a file are regions of one mesh: with interior points, unless each is wanted by itself.
 pub(crate) fn are_one_map(arguments: &MeshArguments) -> bool {
     arguments.interior.interior && is_one_mesh(arguments)

@@ -1,6 +1,6 @@
 //! `mindeg mesh --interior`: a domain with points inside.
 
-use super::SEPARATE;
+use super::features::SEPARATE;
 use crate::args::MeshArguments;
 use crate::demands::met_or_written_anyway;
 use crate::domain::{Parts, name};
