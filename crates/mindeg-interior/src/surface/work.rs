@@ -104,6 +104,7 @@ pub(crate) mod tests {
     use crate::operations::{Cavity, Operation, operations};
     use crate::options::Options;
     use crate::surface::models;
+    use crate::surface::motion::neighbours_on_curve;
     use mindeg_mesh::Progress;
     use mindeg_surfaces::{FeatureRules, SizeRules};
     use proptest::prelude::*;
@@ -152,7 +153,9 @@ pub(crate) mod tests {
         #[test]
         fn random_operations_keep_the_surface(
             which in 0..4_usize,
-            steps in prop::collection::vec((any::<prop::sample::Index>(), any::<prop::sample::Index>()), 1..160),
+            steps in prop::collection::vec(
+                (any::<prop::sample::Index>(), 0..8_u32, any::<prop::sample::Index>()), 1..160,
+            ),
         ) {
             let reference = reference(["cube", "saddle", "cylinder", "torus"][which], 5.0);
             let mut mesh = mesh(&reference);
@@ -160,17 +163,17 @@ pub(crate) mod tests {
             mesh.record();
             let mut cavity = Cavity::default();
             let mut list = Vec::new();
-            for (place, choice) in steps {
+            for (place, kind, choice) in steps {
                 let alive: Vec<u32> = (0..mesh.vertices.len() as u32)
                     .filter(|v| mesh.vertices[*v as usize].triangles > 0)
                     .collect();
                 operations(&mesh, *place.get(&alive), true, &mut list);
                 // Else nearly all are splits of vertices, and no collapse leaves a small mesh.
-                if choice.index(8) > 0 {
-                    list.retain(|operation| {
-                        matches!(operation, Operation::Collapse { .. } | Operation::Flip { .. })
-                    });
-                }
+                list.retain(|operation| match operation {
+                    Operation::SplitVertex { .. } => kind == 0,
+                    Operation::Split { .. } => kind == 1,
+                    Operation::Collapse { .. } | Operation::Flip { .. } => kind > 1,
+                });
                 if list.is_empty() {
                     continue;
                 }
@@ -185,6 +188,14 @@ pub(crate) mod tests {
                 let (chi, curves) = euler(&mesh);
                 prop_assert_eq!(chi, first.0);
                 prop_assert!(curves.iter().all(|edges| *edges > 0), "{:?}", operation);
+                let mut star = Vec::new();
+                for v in (0..mesh.vertices.len() as u32).filter(|v| {
+                    let vertex = &mesh.vertices[*v as usize];
+                    vertex.kind == Kind::Curve && vertex.triangles > 0
+                }) {
+                    mesh.star(v, &mut star);
+                    prop_assert_eq!(neighbours_on_curve(&mesh, v, &star).len(), 2);
+                }
             }
             let small = compacted(&mesh).map_err(TestCaseError::fail)?;
             prop_assert_eq!(euler(&small), euler(&mesh));
