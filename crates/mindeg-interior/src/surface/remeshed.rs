@@ -67,6 +67,9 @@ pub struct OffDegree {
     pub is_boundary: bool,
     /// The number of curve edges that meet there.
     pub curves: u32,
+    /// The least and the greatest number of triangles that its sectors between curves allow, as they are in the mesh, with no
+    /// angle below the one aimed at. If the first is greater, or no wanted degree is between them, no search finds one.
+    pub allowed: [u32; 2],
 }
 
 /// What was reached.
@@ -238,7 +241,15 @@ fn remeshed(mesh: &SurfaceMesh<'_>, floor: f64) -> Remeshed {
         if degree > most || degree < least {
             let edges = sectors.sectors.len() as u32 + u32::from(is_boundary);
             let curves = if vertex.kind == Kind::Free { 0 } else { edges };
-            report.off_degree.push(OffDegree { vertex: v, at, degree, is_boundary, curves });
+            let allowed = sectors.allowed(floor);
+            report.off_degree.push(OffDegree {
+                vertex: v,
+                at,
+                degree,
+                is_boundary,
+                curves,
+                allowed,
+            });
         }
         if vertex.kind == Kind::Fixed && sectors.limit() < floor {
             let limit = sectors.limit();

@@ -99,6 +99,17 @@ impl Sectors {
         self.sectors.iter().map(of_sector).fold(60.0, f64::min)
     }
 
+    /// How many triangles these sectors have in any mesh without an angle below `least`, in degrees: in each of the n
+    /// triangles of a sector the angle is between `least` and 180 degrees less twice that.
+    pub(crate) fn allowed(&self, least: f64) -> [u32; 2] {
+        let counts = self.sectors.iter().map(|sector| {
+            // A hair less: sectors are sums of rounded angles.
+            let low = libm::ceil(sector.angle / (180.0 - 2.0 * least) - 1e-9).max(1.0);
+            [low, libm::floor(sector.angle / least + 1e-9)].map(|count| count as u32)
+        });
+        counts.fold([0, 0], |[low, high], count| [low + count[0], high + count[1]])
+    }
+
     /// How many triangles a vertex may have that is not on the boundary.
     pub(crate) fn total(&self, kind: Kind, interior: &RangeInclusive<u32>) -> RangeInclusive<u32> {
         if kind == Kind::Curve {
@@ -174,6 +185,16 @@ mod tests {
         // A pointed tip has what fits.
         assert_eq!(excess(Kind::Fixed, &[(79.0, 3)], true), 1);
         assert_eq!(excess(Kind::Fixed, &[(150.0, 4)], true), 0);
+    }
+
+    #[test]
+    fn sectors_allow_what_their_angles_do() {
+        // The corner of a cube; eight curves; a tip.
+        assert_eq!(sectors(&[(90.0, 1); 3], true).allowed(35.0), [3, 6]);
+        assert_eq!(sectors(&[(45.0, 1); 8], true).allowed(35.0), [8, 8]);
+        assert_eq!(sectors(&[(79.0, 3)], true).allowed(35.0), [1, 2]);
+        assert_eq!(sectors(&[(30.0, 1), (180.0, 3)], true).allowed(35.0), [3, 5]);
+        assert_eq!(sectors(&[(180.0, 3)], false).allowed(36.0), [2, 5]);
     }
 
     #[test]
