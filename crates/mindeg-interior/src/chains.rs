@@ -28,7 +28,8 @@ pub(crate) fn chains(
     let mut mesh = mesh.clone();
     let is_broken =
         |v: &u32| mesh.vertices[*v as usize].triangles > 0 && weights.excess(&mesh, *v) > 0;
-    let broken: Vec<u32> = (0..mesh.vertices.len() as u32).filter(is_broken).collect();
+    // The vertex in the middle comes first, by its index.
+    let broken: Vec<u32> = (0..mesh.vertices.len() as u32).rev().filter(is_broken).collect();
     let excess = broken.iter().map(|v| weights.excess(&mesh, *v)).sum();
     let given = most.min(*left) * OF_A_TRIAL;
     mesh.record();

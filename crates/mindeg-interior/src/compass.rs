@@ -85,25 +85,36 @@ pub(crate) fn polish<S: Manifold>(
     if least >= below {
         return false;
     }
-    let weight = |x: S::Vector| {
-        let mut least = f64::INFINITY;
-        let mut sum = 0.0;
+    let mut angles = std::mem::take(&mut ring.wanted);
+    // The sum of what angles weigh and the least of them, if none is below `least` and they weigh less than `most`.
+    let mut weigh = |x: S::Vector, least: f64, most: f64| {
+        angles.clear();
         for [b, c] in &ring.edges {
             let angle = min_angle([x, *b, *c]);
-            least = least.min(angle);
+            if angle < least {
+                return None;
+            }
+            angles.push(angle);
+        }
+        let mut sum = 0.0;
+        for angle in &angles {
             sum += libm::exp((20.0 - angle) / 1.5);
+            if sum >= most {
+                return None;
+            }
         }
-        (sum, least)
+        Some((sum, angles.iter().copied().fold(f64::INFINITY, f64::min)))
     };
-    let mut best = weight(start).0;
+    let mut best =
+        weigh(start, f64::NEG_INFINITY, f64::INFINITY).map_or(f64::INFINITY, |found| found.0);
     let x = descend(mesh, vertex, ring, [0.1, 2e-3], |place| {
-        let (sum, angle) = weight(place);
-        let is_better = sum < best * (1.0 - 1e-9) && angle >= least;
-        if is_better {
-            (best, least) = (sum, angle);
+        let better = weigh(place, least, best * (1.0 - 1e-9));
+        if let Some(found) = better {
+            (best, least) = found;
         }
-        is_better
+        better.is_some()
     });
+    ring.wanted = angles;
     put(mesh, vertex, x, ring)
 }
 

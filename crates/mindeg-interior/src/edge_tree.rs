@@ -20,13 +20,15 @@ pub(crate) struct Item {
     pub(crate) reach: f64,
 }
 
-/// A run of edges: the first end of the first, the last end of the last, and sums.
+/// A run of edges: the first end of the first, the last end of the last, and sums. Edges that do not hang together have
+/// the middle line of their box instead of these ends.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Node {
     pub(crate) from: DVec2,
     pub(crate) to: DVec2,
     /// No point of the run is farther from the chord.
     pub(crate) spread: f64,
+    bounds: Bounds,
     pub(crate) least: f64,
     pub(crate) greatest: f64,
     /// The sum of the edges' lengths.
@@ -157,23 +159,24 @@ impl EdgeTree {
     pub(crate) fn nearest(&self, x: DVec2, within: f64) -> Option<(u32, f64)> {
         let mut best = (u32::MAX, within);
         for root in &self.roots {
-            self.nearest_below(*root, x, &mut best);
+            self.nearest_below(*root, self.nodes[*root as usize].distance(x), x, &mut best);
         }
         (best.0 != u32::MAX).then_some(best)
     }
 
-    fn nearest_below(&self, at: u32, x: DVec2, best: &mut (u32, f64)) {
-        let node = &self.nodes[at as usize];
-        if node.distance(x) >= best.1 {
+    /// `distance`: of the node.
+    fn nearest_below(&self, at: u32, distance: f64, x: DVec2, best: &mut (u32, f64)) {
+        if distance >= best.1 {
             return;
         }
         match self.children(at) {
-            None => *best = (node.id, node.distance(x)),
+            None => *best = (self.nodes[at as usize].id, distance),
             Some(children) => {
                 let bounds = children.map(|child| self.nodes[child as usize].distance(x));
                 let first = usize::from(bounds[1] < bounds[0]);
-                self.nearest_below(children[first], x, best);
-                self.nearest_below(children[1 - first], x, best);
+                for child in [first, 1 - first] {
+                    self.nearest_below(children[child], bounds[child], x, best);
+                }
             }
         }
     }
@@ -185,20 +188,29 @@ impl EdgeTree {
         }
     }
 
-    fn least_grown_below(&self, at: u32, growth: f64, x: DVec2, least: &mut f64) {
+    /// The same below one node.
+    pub(crate) fn least_grown_below(&self, at: u32, growth: f64, x: DVec2, least: &mut f64) {
         let node = &self.nodes[at as usize];
-        let bound = |node: &Node| node.least + growth * node.distance(x);
-        if bound(node) >= *least {
+        self.bounded_below(at, node.least + growth * node.distance(x), growth, x, least);
+    }
+
+    /// `bound`: of the node.
+    fn bounded_below(&self, at: u32, bound: f64, growth: f64, x: DVec2, least: &mut f64) {
+        if bound >= *least {
             return;
         }
         match self.children(at) {
-            Some([a, b]) if !is_uniform(node) => {
-                let swap = bound(&self.nodes[b as usize]) < bound(&self.nodes[a as usize]);
-                let [near, far] = if swap { [b, a] } else { [a, b] };
-                self.least_grown_below(near, growth, x, least);
-                self.least_grown_below(far, growth, x, least);
+            Some(children) if !is_uniform(&self.nodes[at as usize]) => {
+                let bounds = children.map(|child| {
+                    let node = &self.nodes[child as usize];
+                    node.least + growth * node.distance(x)
+                });
+                let first = usize::from(bounds[1] < bounds[0]);
+                for child in [first, 1 - first] {
+                    self.bounded_below(children[child], bounds[child], growth, x, least);
+                }
             }
-            _ => *least = bound(node),
+            _ => *least = bound,
         }
     }
 
@@ -222,6 +234,10 @@ impl Node {
             from: item.from,
             to: item.to,
             spread: item.reach,
+            bounds: Bounds {
+                min: item.from.min(item.to) - item.reach,
+                max: item.from.max(item.to) + item.reach,
+            },
             least: item.size,
             greatest: item.size,
             length,
@@ -234,17 +250,15 @@ impl Node {
     }
 
     fn join(a: &Self, b: &Self) -> Self {
-        let (from, to) = (a.from, b.to);
-        // Distance to a segment is convex: along a child's chord it is greatest at an end.
-        let stray = |child: &Self| {
-            let ends = [child.from, child.to].map(|end| distance_to_segment(end, from, to));
-            ends[0].max(ends[1]) + child.spread
-        };
+        let bounds =
+            Bounds { min: a.bounds.min.min(b.bounds.min), max: a.bounds.max.max(b.bounds.max) };
+        let (from, to, spread) = if a.to == b.from { chord(a, b) } else { middle_line(&bounds) };
         let normals = [0, 1, 2].map(|i| a.normals[i] + b.normals[i]);
         Self {
             from,
             to,
-            spread: stray(a).max(stray(b)),
+            spread,
+            bounds,
             least: a.least.min(b.least),
             greatest: a.greatest.max(b.greatest),
             length: a.length + b.length,
@@ -260,6 +274,25 @@ impl Node {
     pub(crate) fn distance(&self, x: DVec2) -> f64 {
         (distance_to_segment(x, self.from, self.to) - self.spread).max(0.0)
     }
+}
+
+/// The chord of two runs, the second of which begins where the first ends, and how far they stray from it.
+fn chord(a: &Node, b: &Node) -> (DVec2, DVec2, f64) {
+    let (from, to) = (a.from, b.to);
+    // Distance to a segment is convex: along a child's chord it is greatest at an end.
+    let stray = |child: &Node| {
+        let ends = [child.from, child.to].map(|end| distance_to_segment(end, from, to));
+        ends[0].max(ends[1]) + child.spread
+    };
+    (from, to, stray(a).max(stray(b)))
+}
+
+/// The middle line of a box along its longer sides, and half of the shorter ones.
+fn middle_line(bounds: &Bounds) -> (DVec2, DVec2, f64) {
+    let (size, middle) = (bounds.size(), bounds.center());
+    let half =
+        if size.x < size.y { DVec2::new(0.0, size.y) } else { DVec2::new(size.x, 0.0) } / 2.0;
+    (middle - half, middle + half, size.min_element() / 2.0)
 }
 
 /// True if all edges of the run are of one length and on one line.

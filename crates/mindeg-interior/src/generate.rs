@@ -1,6 +1,6 @@
 //! From an outline to a mesh: size field, packing, triangulation, optimiser, and other seeds where the first leaves something to be desired.
 
-use crate::array_mesh::{ArrayMesh, Kind, NONE};
+use crate::array_mesh::{ArrayMesh, Kind, NONE, Vertex};
 use crate::asked::Asked;
 use crate::breaklines::Breaklines;
 use crate::finish::finish;
@@ -57,6 +57,22 @@ const SEEDS: [Seed; 5] = [
     Seed { growth: 0.8, spacing: 0.7, pairs: true, trials: 0.3 },
 ];
 
+/// What a try begins with: another one with the same would end at the same mesh.
+#[derive(PartialEq)]
+struct Begun {
+    prefer: Prefer,
+    pairs: bool,
+    vertices: Vec<Vertex>,
+    triangles: Vec<[u32; 3]>,
+}
+
+impl Begun {
+    fn new(prefer: Prefer, seed: &Seed, mesh: &ArrayMesh) -> Self {
+        let triangles = mesh.triangles.iter().map(|triangle| triangle.vertices).collect();
+        Self { prefer, pairs: seed.pairs, vertices: mesh.vertices.clone(), triangles }
+    }
+}
+
 /// Fills an outline with interior points.
 ///
 /// The boundary stays as it is, and so do lines inside, but for those that [`Options::divisible`] lets be divided. Degrees and angles are aims: the search is heuristic, and the report says
@@ -81,6 +97,7 @@ pub fn generate(
     let mut best: Option<Generated> = None;
     let mut wanted_sizes = None;
     let mut in_vain = 0;
+    let mut begun = Vec::new();
     // Where angles are preferred, the way that keeps degrees may still reach more.
     let ways: &[Prefer] = match options.wanted.prefer() {
         Prefer::Degree => &[Prefer::Degree],
@@ -106,6 +123,15 @@ pub fn generate(
         stage.section(end_of_start(&stage, end, about));
         let mut mesh =
             start.mesh(seed.spacing, floor, options.wanted.max_points(), None, &mut stage)?;
+        let own = Begun::new(*prefer, seed, &mesh);
+        if begun.contains(&own) {
+            in_vain += 1;
+            if best.as_ref().is_some_and(|best| is_large(&best.report, in_vain)) {
+                break;
+            }
+            continue;
+        }
+        begun.push(own);
         let weights = if seed.pairs { Weights::pairs } else { Weights::single };
         let weights = weights(&way, floor);
         let pairs = seed.pairs.then_some(Pairs::FOR_A_TRY);

@@ -2,6 +2,7 @@
 
 use crate::array_mesh::ArrayMesh;
 use crate::compass::polish;
+use crate::failed::Failed;
 use crate::goal::Weights;
 use crate::manifold::Manifold;
 use crate::operations::{Operation, operations};
@@ -20,6 +21,9 @@ const MARGIN: f64 = 4.0;
 const GUARDED: usize = 5;
 /// Where an operation mends a degree, angles may fall to this share of the floor: they are mended later.
 const BROKEN_FLOOR: f64 = 0.4;
+
+/// The kind of pairs of operations, after those of single operations.
+const PAIRS: usize = 2;
 
 /// Which vertices need work.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -54,14 +58,16 @@ pub(crate) fn smooth_and_mend<S: Manifold>(
     sweeper.run(mesh, Power::Two, 10, stage)?;
     stage.reach(0.5)?;
     sweeper.run(mesh, Power::Four, 5, stage)?;
+    let mut failed = Failed::new();
     for round in 0..ROUNDS {
+        failed.look(mesh);
         stage.reach(0.6 + 0.1 * round as f64)?;
         let mut changes = 0;
         for need in [Need::Any, Need::Degree] {
-            changes += singles(mesh, weights, need, stage)?;
+            changes += singles(mesh, weights, need, &mut failed, stage)?;
         }
         if let Some(pairs) = &mut pairs {
-            changes += pairs_of_operations(mesh, weights, pairs, stage)?;
+            changes += pairs_of_operations(mesh, weights, pairs, &mut failed, stage)?;
         }
         if changes == 0 && round > 0 {
             break;
@@ -124,12 +130,14 @@ fn singles<S: Manifold>(
     mesh: &mut ArrayMesh<S>,
     weights: &Weights,
     need: Need,
+    failed: &mut Failed<S::Vector>,
     stage: &mut Stage<'_>,
 ) -> Result<usize, Cancelled> {
     let mut star = Vec::new();
     let mut list = Vec::new();
     let mut bench = Bench::new(mesh, weights.clone());
     let mut queue = needy(bench.mesh, weights, need);
+    queue.retain(|v| !failed.has(need as usize, *v));
     let mut is_queued = vec![false; bench.mesh.vertices.len()];
     queue.iter().for_each(|v| is_queued[*v as usize] = true);
     let mut left = 20 * queue.len() + 100;
@@ -147,9 +155,13 @@ fn singles<S: Manifold>(
             continue;
         }
         operations(bench.mesh, vertex, false, &mut list);
-        let Some(best) = best_single(&mut bench, &list, need) else { continue };
+        let Some(best) = best_single(&mut bench, &list, need) else {
+            failed.add(need as usize, vertex);
+            continue;
+        };
         bench.perform(best, f64::INFINITY, f64::NEG_INFINITY);
         done += 1;
+        failed.forget(&bench.cavity.vertices);
         is_queued.resize(bench.mesh.vertices.len(), false);
         for v in &bench.cavity.vertices {
             if !is_queued[*v as usize] {
@@ -221,11 +233,13 @@ pub(crate) fn pairs_of_operations<S: Manifold>(
     mesh: &mut ArrayMesh<S>,
     weights: &Weights,
     pairs: &mut Pairs,
+    failed: &mut Failed<S::Vector>,
     stage: &mut Stage<'_>,
 ) -> Result<usize, Cancelled> {
     let mut star = Vec::new();
     let mut bench = Bench::new(mesh, weights.clone());
     let mut queue = needy(bench.mesh, weights, Need::Any);
+    queue.retain(|v| !failed.has(PAIRS, *v));
     let mut left = (3 * queue.len() + 20).min(pairs.vertices);
     let mut done = 0;
     while let Some(vertex) = queue.pop_front() {
@@ -237,11 +251,18 @@ pub(crate) fn pairs_of_operations<S: Manifold>(
         if !is_needy(&mut bench, vertex, Need::Any, &mut star) {
             continue;
         }
-        let Some([first, second]) = best_pair(&mut bench, vertex, pairs.firsts) else { continue };
-        bench.perform(first, f64::INFINITY, f64::NEG_INFINITY);
-        queue.extend(&bench.cavity.vertices);
-        bench.perform(second, f64::INFINITY, f64::NEG_INFINITY);
-        queue.extend(&bench.cavity.vertices);
+        if failed.has(PAIRS, vertex) {
+            continue;
+        }
+        let Some(pair) = best_pair(&mut bench, vertex, pairs.firsts) else {
+            failed.add(PAIRS, vertex);
+            continue;
+        };
+        for operation in pair {
+            bench.perform(operation, f64::INFINITY, f64::NEG_INFINITY);
+            failed.forget(&bench.cavity.vertices);
+            queue.extend(&bench.cavity.vertices);
+        }
         done += 1;
     }
     pairs.trials += bench.trials();

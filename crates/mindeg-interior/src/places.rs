@@ -5,6 +5,7 @@ use crate::anneal::{anneal, settle_all};
 use crate::array_mesh::{ArrayMesh, Kind};
 use crate::chains::chains;
 use crate::disc::Disc;
+use crate::failed::Failed;
 use crate::goal::{Goal, Weights};
 use crate::optimise::{Pairs, pairs_of_operations, smooth_and_mend};
 use crate::options::Options;
@@ -13,86 +14,10 @@ use crate::smooth::Sweeper;
 use crate::stage::Stage;
 use crate::triangle::{has_sine, min_angle};
 use crate::verdict::enough;
+use crate::worth::{GOOD, Worth};
 use mindeg_mesh::{Cancelled, Random};
 use std::collections::BTreeSet;
 use std::f64::consts::PI;
-
-/// A triangle with this share of its local limit is good.
-const GOOD: f64 = 0.98;
-/// Shares that differ by less are alike.
-const ALIKE: f64 = 2e-3;
-
-/// How good a mesh is, or a disc of it.
-#[derive(Debug, Clone, PartialEq)]
-struct Worth {
-    /// By how much degrees are out of their ranges, in all.
-    excess: u32,
-    /// The shares of the local limits that are below 1, ascending.
-    shares: Vec<f64>,
-    /// The minimum angle, up to what is enough.
-    angle: f64,
-    /// The sum of what shapes cost.
-    cost: f64,
-}
-
-impl Worth {
-    fn of(mesh: &ArrayMesh, weights: &Weights, enough: f64) -> Self {
-        let mut worth = Self { excess: 0, shares: Vec::new(), angle: enough, cost: 0.0 };
-        for (v, vertex) in (0..).zip(&mesh.vertices) {
-            if vertex.triangles > 0 {
-                worth.excess += weights.excess(mesh, v);
-            }
-        }
-        for (t, triangle) in (0..).zip(&mesh.triangles) {
-            if !triangle.is_alive() {
-                continue;
-            }
-            let angle = min_angle(mesh.corners(t));
-            let share = angle / weights.local_limit(mesh, t).min(enough);
-            worth.angle = worth.angle.min(angle);
-            worth.cost += weights.triangle(mesh, t).0;
-            if share < GOOD {
-                worth.shares.push(share);
-            }
-        }
-        worth.shares.sort_by(f64::total_cmp);
-        worth
-    }
-
-    /// True if this is better: by degrees, then by the least shares, then by shapes.
-    fn is_better(&self, than: &Self) -> bool {
-        if self.excess != than.excess {
-            return self.excess < than.excess;
-        }
-        for i in 0..self.shares.len().max(than.shares.len()) {
-            let [a, b] = [self, than].map(|w| w.shares.get(i).copied().unwrap_or(GOOD));
-            if (a - b).abs() > ALIKE {
-                return a > b;
-            }
-        }
-        self.cost < than.cost - 0.5
-    }
-
-    /// True if it may replace the other: fewer violations, or as many and no smaller least share and least angle.
-    fn is_allowed(&self, before: &Self) -> bool {
-        self.excess < before.excess || self.excess == before.excess && self.keeps_angles(before)
-    }
-
-    /// True if there is no violation left and angles are good, or where there were violations as good as before.
-    fn is_done(&self, before: &Self) -> bool {
-        self.is_good() || self.excess == 0 && before.excess > 0 && self.keeps_angles(before)
-    }
-
-    /// True if neither the least share nor the least angle is smaller.
-    fn keeps_angles(&self, before: &Self) -> bool {
-        let least = |worth: &Self| worth.shares.first().copied().unwrap_or(1.0);
-        least(self) >= least(before).min(GOOD) - 1e-9 && self.angle >= before.angle - 1e-9
-    }
-
-    fn is_good(&self) -> bool {
-        self.excess == 0 && self.shares.is_empty()
-    }
-}
 
 /// Passes over all places; each tries twice as much as the one before.
 const PASSES: u32 = 5;
@@ -102,11 +27,15 @@ const RINGS: [usize; 6] = [2, 3, 4, 6, 9, 9];
 const TRIALS: [usize; 2] = [1500, 3];
 /// From so many on, more triangles bring half a trial each: as measured, more hardly raise shares.
 const MANY_TRIALS: usize = 25_000;
+/// Still more triangles bring none.
+const MANY_TRIANGLES: usize = 60_000;
 /// Trials of operations for degrees, likewise.
 const TRIALS_FOR_DEGREES: [usize; 2] = [12_000, 1];
 /// At most so many times as much is tried where a degree is out of its range, if so many trials are left for each.
 const MOST_FOR_BROKEN: u64 = 4;
 const TRIALS_FOR_BROKEN: usize = 1200;
+/// If fewer are left for each, degrees are mended by chains of operations alone, as far as these get.
+const FEW_FOR_BROKEN: usize = 300;
 /// From this effort on, new starts get pairs of operations, too.
 const MANY: u64 = 4;
 /// The search for one chain takes as long as so many trials, at most.
@@ -131,7 +60,8 @@ pub(crate) fn mend_places(
     let enough_sine = libm::sin(enough.min(60.0) * (PI / 180.0));
     let work = Work { options, enough, enough_sine, weights };
     let triangles = mesh.triangles.len();
-    let angles = TRIALS[0] + (TRIALS[1] * triangles).min(MANY_TRIALS + triangles / 2);
+    let more = triangles.min(MANY_TRIANGLES) / 2;
+    let angles = TRIALS[0] + (TRIALS[1] * triangles).min(MANY_TRIALS + more);
     let degrees = TRIALS_FOR_DEGREES[0] + TRIALS_FOR_DEGREES[1] * triangles;
     let mut left = [(share * angles as f64) as usize, degrees];
     for pass in 0..PASSES {
@@ -141,9 +71,16 @@ pub(crate) fn mend_places(
         }
         let broken = places.iter().filter(|v| work.weights.excess(mesh, **v) > 0).count();
         let affordable = (left[1] / (TRIALS_FOR_BROKEN * broken.max(1))) as u64;
-        let is_scarce = affordable == 0;
+        let haste = match affordable {
+            0 if left[1] < FEW_FOR_BROKEN * broken => Haste::Great,
+            0 => Haste::Some,
+            _ => Haste::None,
+        };
         let affordable = affordable >> pass;
         let mut waiting = broken;
+        // Later passes try more at fewer places.
+        let is_last = pass + 1 == PASSES || haste == Haste::Great;
+        let kept = [0, if is_last { 0 } else { left[1] / 2 }];
         let of = places.len() as f64;
         for (index, vertex) in places.into_iter().enumerate() {
             // Each pass takes about as long as all before it.
@@ -153,7 +90,8 @@ pub(crate) fn mend_places(
                 continue;
             }
             let is_broken = work.weights.excess(mesh, vertex) > 0;
-            if left[usize::from(is_broken)] == 0 {
+            let kind = usize::from(is_broken);
+            if left[kind] <= kept[kind] {
                 continue;
             }
             let rings = RINGS[pass as usize + usize::from(is_broken)];
@@ -161,7 +99,8 @@ pub(crate) fn mend_places(
             let before = work.worth(&disc.mesh);
             let kind = usize::from(before.excess > 0);
             // Each broken place leaves as much to those that wait for their turn.
-            let given = left[kind] / if is_broken { waiting.max(1) } else { 1 };
+            let sharing = if is_broken { waiting.max(1) } else { 1 };
+            let given = left[kind].saturating_sub(kept[kind]) / sharing;
             waiting = waiting.saturating_sub(usize::from(is_broken));
             if before.is_good() || given == 0 {
                 continue;
@@ -169,7 +108,7 @@ pub(crate) fn mend_places(
             let mut unused = given;
             let most = if is_broken { MOST_FOR_BROKEN } else { 1 };
             let effort = (1 << pass) * affordable.clamp(1, most);
-            let better = work.mended(&disc, before, effort, is_scarce, &mut unused, stage)?;
+            let better = work.mended(&disc, before, effort, haste, &mut unused, stage)?;
             left[kind] -= given - unused;
             if let Some(better) = better {
                 disc.put_back(mesh, &better);
@@ -182,6 +121,14 @@ pub(crate) fn mend_places(
         }
     }
     Ok(())
+}
+
+/// How few trials are left for each degree that is out of its range.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Haste {
+    None,
+    Some,
+    Great,
 }
 
 /// The input that all places share.
@@ -269,7 +216,7 @@ impl Work<'_> {
         disc: &Disc,
         before: Worth,
         effort: u64,
-        is_scarce: bool,
+        haste: Haste,
         left: &mut usize,
         stage: &Stage<'_>,
     ) -> Result<Option<ArrayMesh>, Cancelled> {
@@ -278,10 +225,12 @@ impl Work<'_> {
         let mut best = Best { before, found: None };
         let mut stage = stage.within();
         // Chains are cheap and mend nearly everything, but cost angles: where trials suffice, they come last.
-        if is_scarce {
-            self.mend_degrees(&disc.mesh, &mut best, effort, left);
+        if haste > Haste::None {
+            self.mend_degrees(&disc.mesh, &mut best, effort, haste, left);
         }
-        if best.is_done() {
+        let is_mended = effort == 1 || best.mesh().is_some();
+        let is_left = haste == Haste::Great && is_mended && best.before.excess > 0;
+        if best.is_done() || is_left {
             return Ok(best.found.map(|best| best.1));
         }
         let mut mesh = best.mesh().unwrap_or(&disc.mesh).clone();
@@ -322,29 +271,42 @@ impl Work<'_> {
                 is_done = best.offer(mesh, worth);
             }
         }
-        if !is_scarce && best.mesh().is_none() {
-            self.mend_degrees(&disc.mesh, &mut best, effort, left);
+        if haste == Haste::None && best.mesh().is_none() {
+            self.mend_degrees(&disc.mesh, &mut best, effort, haste, left);
         }
         Ok(best.found.map(|best| best.1))
     }
 
-    /// Mends degrees by chains of operations.
-    fn mend_degrees(&self, disc: &ArrayMesh, best: &mut Best, effort: u64, left: &mut usize) {
+    /// Mends degrees by chains of operations: in great haste that of the vertex in the middle, by the best chain as it is.
+    fn mend_degrees(
+        &self,
+        disc: &ArrayMesh,
+        best: &mut Best,
+        effort: u64,
+        haste: Haste,
+        left: &mut usize,
+    ) {
         let (mut mesh, mut excess) = (disc.clone(), self.worth(disc).excess);
-        while excess > 0 && *left > 0 {
+        let is_hasty = haste == Haste::Great;
+        while excess > 0 && *left > 0 && !(is_hasty && self.weights.excess(&mesh, 0) == 0) {
             let mut least: Option<(Worth, ArrayMesh)> = None;
             for mut mesh in chains(&mesh, &self.weights, CHAIN * effort as usize, left) {
                 settle_all(&mut mesh, &self.weights);
-                let all = mesh.vertices.len();
-                let trials =
-                    anneal(&mut mesh, &self.weights, all, STEPS_AFTERWARDS, &mut Random::new(0));
-                *left = left.saturating_sub(trials);
-                settle_all(&mut mesh, &self.weights);
+                if !is_hasty {
+                    let all = mesh.vertices.len();
+                    let mut random = Random::new(0);
+                    let steps = STEPS_AFTERWARDS;
+                    let trials = anneal(&mut mesh, &self.weights, all, steps, &mut random);
+                    *left = left.saturating_sub(trials);
+                    settle_all(&mut mesh, &self.weights);
+                }
                 let worth = self.worth(&mesh);
-                if worth.excess < excess
-                    && least.as_ref().is_none_or(|least| worth.is_better(&least.0))
-                {
+                let is_better = |least: &(Worth, _)| worth.is_better(&least.0);
+                if worth.excess < excess && least.as_ref().is_none_or(is_better) {
                     least = Some((worth, mesh));
+                    if is_hasty {
+                        break;
+                    }
                 }
             }
             let Some((worth, better)) = least else { break };
@@ -363,7 +325,7 @@ impl Work<'_> {
         stage: &mut Stage<'_>,
     ) -> Result<(), Cancelled> {
         let mut pairs = Pairs { vertices: vertices as usize, firsts: 2, trials: 0, most: *left };
-        pairs_of_operations(mesh, &self.weights, &mut pairs, stage)?;
+        pairs_of_operations(mesh, &self.weights, &mut pairs, &mut Failed::new(), stage)?;
         *left = left.saturating_sub(pairs.trials);
         Ok(())
     }
@@ -404,5 +366,41 @@ mod tests {
         let alive = (0..).zip(&mesh.triangles).filter(|(_, t)| t.is_alive());
         let least = alive.map(|(t, _)| crate::triangle::min_angle(mesh.corners(t)));
         assert!(least.fold(90.0, f64::min) > 30.0);
+    }
+
+    #[test]
+    fn in_great_haste_the_vertex_in_the_middle_is_mended_by_a_chain() {
+        let options = Options::default();
+        let weights = Weights { interior: 6..=6, ..Weights::local(&options, 36.0) };
+        let mut mesh = grid(8);
+        mesh.goals.push(Goal { least: 1, triangles: 5, ..weights.goal_inside() });
+        for vertex in mesh.vertices.iter_mut().filter(|vertex| vertex.kind == Kind::Boundary) {
+            vertex.goal = 0;
+        }
+        // The flip of an edge far from the boundary.
+        let cell = 2 * (4 * 8 + 4) as u32;
+        let [one, other] = [cell, cell + 1].map(|t| mesh.triangles[t as usize].vertices);
+        let apart =
+            |own: [u32; 3], of: [u32; 3]| own.into_iter().find(|v| !of.contains(v)).unwrap();
+        let (c, d) = (apart(one, other), apart(other, one));
+        let at = one.iter().position(|v| *v == c).unwrap();
+        let (a, b) = (one[(at + 1) % 3], one[(at + 2) % 3]);
+        let mut filling = crate::filling::Filling::default();
+        [[c, a, d], [c, d, b]].into_iter().for_each(|t| filling.push(t, ()));
+        mesh.replace(&[cell, cell + 1], &filling);
+        let work = Work { options: &options, enough: 35.0, enough_sine: 0.5, weights };
+        let used = [Haste::Great, Haste::Some].map(|haste| {
+            let disc = Disc::cut(&mesh, &work.weights, a, 4).unwrap();
+            let before = work.worth(&disc.mesh);
+            assert_eq!(before.excess, 4);
+            let (mut best, mut left) = (Best { before, found: None }, 5000);
+            work.mend_degrees(&disc.mesh, &mut best, 1, haste, &mut left);
+            let (worth, mended) = best.found.unwrap();
+            assert_eq!(work.weights.excess(&mended, 0), 0);
+            assert!(worth.excess < 4);
+            5000 - left
+        });
+        // The random operations after a chain are left out.
+        assert!(used[0] < used[1], "{used:?}");
     }
 }

@@ -1,12 +1,12 @@
 //! The size of the mesh at any place: edges' lengths, carried smoothly inside.
 
 use crate::asked::{Asked, Wanted};
-use crate::edge_tree::{EdgeTree, Item, Node, is_uniform};
+use crate::cells::{AtPlace, Cells, Sources};
+use crate::edge_tree::{EdgeTree, Item, is_uniform};
 use glam::DVec2;
 use mindeg_domain::SizeAt;
 use mindeg_mesh::planar::PlanarBoundary;
-use std::cell::{Cell, RefCell};
-use std::collections::HashMap;
+use std::cell::RefCell;
 use std::sync::Arc;
 
 /// The wanted edge length at every place of a domain.
@@ -19,29 +19,16 @@ use std::sync::Arc;
 /// - length + growth * distance of any of these edges;
 /// - size + growth * distance of any place with a size of its own, or where fixed points are crowded.
 ///
-/// One evaluation takes O(log n) for straight sides with equal or graded intervals. Where many edges turn, the mean is
-/// that of the corners of a grid's cell, whose values are kept.
+/// One evaluation takes O(log n) for straight sides with equal or graded intervals. Where many edges turn, [cells](Cells)
+/// know those that matter.
 #[derive(Debug, Clone)]
 pub(crate) struct SizeField {
-    boundary: EdgeTree,
-    /// The edges inside that stay as they are.
-    frozen: EdgeTree,
-    places: EdgeTree,
-    growth: f64,
+    sources: Sources,
     asked: Arc<Asked>,
     /// The factor on the mean of the boundary's lengths.
     coarser: f64,
-    /// The means at places seen before; none if they are cheap.
-    known: Option<Known>,
-}
-
-/// What is known of a field from the places seen so far.
-#[derive(Debug, Clone, Default)]
-struct Known {
-    /// The means at corners of cells by level, column and row.
-    means: RefCell<HashMap<[i64; 3], f64>>,
-    /// The place seen last and the size there that growth allows.
-    last: Cell<(DVec2, f64)>,
+    /// What is known from the places seen so far; none if few edges turn.
+    cells: Option<RefCell<Cells>>,
 }
 
 /// Inside, edges are this much longer than the mean: the packing puts some points nearer to each other than
@@ -54,10 +41,7 @@ const COARSER: f64 = 1.05;
 const FINER: f64 = 0.65;
 const REACH: f64 = 1.5;
 
-/// A run of edges counts as one when it is this much shorter than its distance.
-const FAR: f64 = 0.3;
-
-/// With more runs than this that turn, means are kept.
+/// With more runs than this that turn, there are cells.
 const MANY_TURNS: usize = 500;
 
 impl SizeField {
@@ -86,15 +70,11 @@ impl SizeField {
         let frozen = EdgeTree::of_items(frozen.collect());
         let nodes = boundary.nodes().iter().chain(frozen.nodes());
         let turns = nodes.filter(|node| !node.is_straight).count();
-        Self {
-            boundary,
-            frozen,
-            places: EdgeTree::of_items(items.collect()),
-            growth,
-            asked: Arc::default(),
-            coarser: COARSER,
-            known: (turns > MANY_TURNS).then(Known::default),
-        }
+        let places = EdgeTree::of_items(items.collect());
+        let sources = Sources { boundary, frozen, places, growth };
+        let cells =
+            (turns > MANY_TURNS).then(|| RefCell::new(Cells::new(outline.bounds(), &sources)));
+        Self { sources, asked: Arc::default(), coarser: COARSER, cells }
     }
 
     /// With other sizes that were asked for than those at places.
@@ -113,74 +93,41 @@ impl SizeField {
     }
 
     pub(crate) fn boundary(&self) -> &EdgeTree {
-        &self.boundary
+        &self.sources.boundary
     }
 
     /// The wanted edge length at `x`.
     pub(crate) fn at(&self, x: DVec2) -> f64 {
         let Wanted { base, most } = self.asked.wanted(x);
-        let grown = |mut least: f64| {
-            for tree in [&self.boundary, &self.frozen, &self.places] {
-                tree.least_grown(self.growth, x, &mut least);
-            }
-            least
-        };
-        let mut least = match (base, &self.known) {
+        let known = self.cells.as_ref().and_then(|cells| cells.borrow_mut().at(&self.sources, x));
+        let mut least = match (base, known) {
             // Sizes shrink no faster than they grow.
             (Some(base), _) => base.max(self.shrunk(x)),
-            (None, None) => self.mean(x),
-            (None, Some(known)) => {
-                // No farther from the size near by than growth allows: few edges are looked at.
-                let (last, size) = known.last.get();
-                let most = size + self.growth * last.distance(x) * (1.0 + 1e-9);
-                let most = grown(if size > 0.0 { most } else { f64::INFINITY });
-                known.last.set((x, most));
-                self.mean_in_cell(x, most, &mut known.means.borrow_mut()).min(most)
-            }
+            (None, Some(AtPlace { mean, .. })) => self.coarsened(mean),
+            (None, None) => self.coarsened(self.sources.mean(x)),
         };
         if most < least {
             least = least.min(most.max(self.shrunk(x)));
         }
-        if base.is_none() && self.known.is_some() { least } else { grown(least) }
+        match known {
+            Some(AtPlace { grown, .. }) => least.min(grown),
+            None => self.sources.least_grown(x, least),
+        }
     }
 
-    /// The mean at `x`, linear in the column and the row of a cell of half of `size` to all of it.
-    fn mean_in_cell(&self, x: DVec2, size: f64, known: &mut HashMap<[i64; 3], f64>) -> f64 {
-        // The power of two.
-        let cell = f64::from_bits(size.to_bits() & (0x7ff << 52));
-        let place = x / cell;
-        let low = place.floor();
-        if !(cell.is_normal() && low.abs().max_element() < 1e15) {
-            return self.mean(x);
-        }
-        let (mut weights, mut sum) = (0.0, 0.0);
-        for corner in [DVec2::ZERO, DVec2::X, DVec2::Y, DVec2::ONE] {
-            let at = low + corner;
-            let key = [cell.to_bits() as i64, at.x as i64, at.y as i64];
-            let mean = *known.entry(key).or_insert_with(|| self.mean(at * cell));
-            if mean.is_finite() {
-                let weight = (DVec2::ONE - (place - at).abs()).element_product();
-                weights += weight;
-                sum += weight * mean;
-            }
-        }
-        if weights > 0.0 { sum / weights } else { self.mean(x) }
-    }
-
-    /// The roots of all edges that stay.
-    fn edges(&self) -> impl Iterator<Item = (&EdgeTree, u32)> {
-        let trees = [&self.boundary, &self.frozen].into_iter();
-        trees.flat_map(|tree| tree.roots().iter().map(move |root| (tree, *root)))
+    /// The size that a mean of lengths asks for: none on the boundary itself, where the growth bound decides.
+    fn coarsened(&self, mean: Option<f64>) -> f64 {
+        mean.map_or(f64::INFINITY, |mean| self.coarser * mean)
     }
 
     /// The greatest of length - growth * distance over the edges that stay, at least 0.
     fn shrunk(&self, x: DVec2) -> f64 {
         let mut greatest = 0.0_f64;
-        for (tree, root) in self.edges() {
+        for (tree, root) in self.sources.edges() {
             let mut stack = vec![root];
             while let Some(at) = stack.pop() {
                 let node = &tree.nodes()[at as usize];
-                let bound = node.greatest - self.growth * node.distance(x);
+                let bound = node.greatest - self.sources.growth * node.distance(x);
                 if bound <= greatest {
                     continue;
                 }
@@ -192,55 +139,6 @@ impl SizeField {
         }
         greatest
     }
-
-    /// The weighted mean of the edges' lengths.
-    fn mean(&self, x: DVec2) -> f64 {
-        let (mut weights, mut sum) = (0.0, 0.0);
-        for (tree, root) in self.edges() {
-            self.add_mean(tree, root, x, &mut weights, &mut sum);
-        }
-        // On the boundary itself a weight is infinite; the growth bound decides there.
-        if sum.is_finite() && weights > 0.0 { self.coarser * sum / weights } else { f64::INFINITY }
-    }
-
-    fn add_mean(&self, tree: &EdgeTree, at: u32, x: DVec2, weights: &mut f64, sum: &mut f64) {
-        let node = &tree.nodes()[at as usize];
-        let size = node.from.distance(node.to) + 2.0 * node.spread;
-        let weight = match tree.children(at) {
-            // Weights of one line add up exactly.
-            None => sight(node.from - x, node.to - x),
-            Some(_) if is_uniform(node) => sight(node.from - x, node.to - x),
-            Some(_) if size < FAR * node.distance(x) => {
-                if node.is_straight {
-                    sight(node.from - x, node.to - x)
-                } else {
-                    distant(node, x)
-                }
-            }
-            Some(children) => {
-                return children.into_iter().for_each(|c| self.add_mean(tree, c, x, weights, sum));
-            }
-        };
-        *weights += weight;
-        *sum += weight * (node.moment / node.length);
-    }
-}
-
-/// The integral of dtheta / r over a segment, given from the eye to its ends:
-/// tan(theta / 2) (1/|a| + 1/|b|).
-fn sight(a: DVec2, b: DVec2) -> f64 {
-    let (from, to) = (a.length(), b.length());
-    a.perp_dot(b).abs() * (from + to) / (from * to * (from * to + a.dot(b)))
-}
-
-/// The same for a run that is far away: the edges' lengths, foreshortened, over r squared.
-fn distant(node: &Node, x: DVec2) -> f64 {
-    let to = node.from.midpoint(node.to) - x;
-    let squared = to.length_squared();
-    let [xx, xy, yy] = node.normals;
-    // Sum of l |n.u|, by Cauchy and Schwarz at most this, and this exactly on one line.
-    let projected = xx * to.x * to.x + 2.0 * xy * to.x * to.y + yy * to.y * to.y;
-    (node.length * projected.max(0.0) / squared).sqrt() / squared
 }
 
 #[cfg(test)]
@@ -248,6 +146,7 @@ mod tests {
     use super::*;
     use crate::Interior;
     use crate::samples;
+    use crate::sight::sight;
 
     fn exact(outline: &PlanarBoundary, growth: f64, x: DVec2) -> f64 {
         let (mut weights, mut sum, mut grown) = (0.0, 0.0, f64::INFINITY);
@@ -295,7 +194,7 @@ mod tests {
     }
 
     #[test]
-    fn kept_means_agree_with_the_sum_over_all_edges() {
+    fn cells_agree_with_the_sum_over_all_edges() {
         let coast: Vec<DVec2> = (0..800)
             .map(|i| {
                 let turn = f64::from(i) / 800.0 * std::f64::consts::TAU;
@@ -305,7 +204,7 @@ mod tests {
             .collect();
         let outline = PlanarBoundary::new(&[coast]).unwrap();
         let field = SizeField::new(&outline, &[], 0.5, &[], &[]);
-        assert!(field.known.is_some());
+        assert!(field.cells.is_some());
         for i in 0..400 {
             let turn = DVec2::from_angle(f64::from(i));
             let x = turn * (8.9 * f64::from(i) / 400.0);

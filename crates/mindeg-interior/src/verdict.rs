@@ -18,6 +18,8 @@ const SMALL_BROKEN: usize = 600;
 const FEW: usize = 20;
 /// After so many starts in a row that brought little, no other is made for them.
 const MOST_IN_VAIN: u32 = 2;
+/// Starts of smaller meshes hardly differ.
+const TINY: usize = 48;
 /// A share greater by this is little.
 const LITTLE: f64 = 0.003;
 /// Larger meshes are begun once in any case.
@@ -70,7 +72,8 @@ pub(crate) fn is_enough(report: &InteriorReport, options: &Options) -> bool {
 pub(crate) fn is_large(report: &InteriorReport, in_vain: u32) -> bool {
     let left = report.local.below + report.violations.len();
     let most = if report.violations.is_empty() { SMALL } else { SMALL_BROKEN };
-    report.triangles > most && left > FEW || report.triangles > SMALL && in_vain >= MOST_IN_VAIN
+    let starts_differ = TINY < report.triangles && report.triangles <= SMALL;
+    report.triangles > most && left > FEW || !starts_differ && in_vain >= MOST_IN_VAIN
 }
 
 /// By how much a mesh is better than another.
@@ -129,7 +132,10 @@ mod tests {
     #[test]
     fn a_large_mesh_is_begun_anew_only_while_little_is_left_and_starts_pay() {
         for (triangles, below, violations, in_vain, ends) in [
-            // Small ones always.
+            // Tiny ones until two starts in a row bring little, and small ones always.
+            (48, 9, 1, 1, false),
+            (48, 9, 1, 2, true),
+            (49, 9, 1, 2, false),
             (400, 400, 0, 9, false),
             // Larger ones with few triangles left to be desired, until two starts in a row bring little.
             (401, 21, 0, 0, true),
