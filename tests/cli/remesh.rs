@@ -97,10 +97,7 @@ fn a_part_is_meshed_anew_and_passes_the_check() {
     // The remesh is a part, too: what was kept is kept again.
     let run = remesh(text(&file), &again, &["--keep-features"]);
     assert_eq!(run.code, Some(0), "{run:?}");
-    assert!(
-        run.errors.contains("It keeps 22 feature curves, "),
-        "{run:?}"
-    );
+    assert!(run.errors.contains("It keeps 22 feature curves, "), "{run:?}");
 }
 
 #[test]

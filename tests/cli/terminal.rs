@@ -118,7 +118,9 @@ fn examples_of_the_help_work() {
     let verified = "\"$MINDEG\" mesh assets/domains/wing-panel.json -q -o wing-panel.obj && \
                     \"$MINDEG\" mesh assets/domains/wing-panel.json --keep-angle 95% -q -o from-blender.glb && \
                     \"$MINDEG\" mesh --rectangle 4x3 --size 0.5 -q -o plate.stl";
-    for made in [part, verified] {
+    let remeshed = "\"$MINDEG\" convert assets/models/bracket.obj -o part.stl && \
+                    \"$MINDEG\" remesh part.stl --size 4 -q -o remeshed.stl";
+    for made in [part, verified, remeshed] {
         assert_eq!(crate::run::shell(folder.path(), made).code, Some(0), "{made}");
     }
     std::fs::copy(
@@ -127,8 +129,19 @@ fn examples_of_the_help_work() {
     )
     .expect("a copy");
     for command in [
-        "degree", "suggest", "mesh", "tradeoff", "compare", "view", "inspect", "convert", "fill",
-        "bridge", "verify",
+        "degree",
+        "suggest",
+        "mesh",
+        "tradeoff",
+        "compare",
+        "view",
+        "inspect",
+        "convert",
+        "fill",
+        "bridge",
+        "verify",
+        "condition",
+        "remesh",
     ] {
         let help = mindeg([command, "--help"]);
         let (_, examples) = help.text().split_once("Examples:\n").expect("examples");

@@ -9,9 +9,9 @@ use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
 Examples:
-  mindeg condition sea.geojson --limit 25 --within 500 -o sea.json
-  mindeg condition sea.geojson --within 1000 --size 4000 --least-island 2e6 -o sea.json
-  mindeg mesh sea.json --interior -o sea.14";
+  mindeg condition assets/domains/great-britain.json --limit 30 -o britain.json
+  mindeg condition assets/domains/great-britain.json --within 5 --size 20 --json
+  mindeg mesh britain.json --interior -o britain.14";
 
 /// Change a boundary by as little as it takes for a mesh with points inside to reach an angle
 ///

@@ -16,7 +16,7 @@ Examples:
   mindeg verify wing-panel.obj assets/domains/wing-panel.json
   mindeg verify from-blender.glb assets/domains/wing-panel.json --max-degree 6 --keep-angle 95%
   mindeg verify plate.stl --rectangle 4x3 --size 0.5 --optimal --json
-  mindeg verify remeshed.stl --surface part.stl --tolerance 0.3% --feature-angle 40";
+  mindeg verify remeshed.stl --surface part.stl --tolerance 1% --feature-angle 40";
 
 /// Check that a mesh of any program is a triangulation of a domain, and whether its maximum degree is
 /// the least
