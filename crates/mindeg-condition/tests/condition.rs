@@ -73,7 +73,7 @@ fn coast(points: u32, roughness: f64, seed: u64) -> Vec<Vec<DVec2>> {
 fn what_is_good_stays_bit_for_bit() {
     let square = ring(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]]);
     let found = conditioned(
-        &[square.clone()],
+        std::slice::from_ref(&square),
         &BoundaryDemands { within: 1.0, ..BoundaryDemands::default() },
     );
     assert_eq!(places(&found), [square]);
@@ -86,7 +86,7 @@ fn what_is_good_stays_bit_for_bit() {
 fn a_strait_gets_shorter_edges_and_moves_nowhere() {
     let strait = ring(&[[0.0, 0.0], [10.0, 0.0], [10.0, 0.5], [0.0, 0.5]]);
     let found = conditioned(
-        &[strait.clone()],
+        std::slice::from_ref(&strait),
         &BoundaryDemands { angle: 30.0, ..BoundaryDemands::default() },
     );
     assert!(found.before < 6.0 && found.after >= 30.0 && found.left.is_empty(), "{found:?}");
@@ -97,17 +97,20 @@ fn a_strait_gets_shorter_edges_and_moves_nowhere() {
 #[test]
 fn a_tip_is_cut_as_far_as_is_allowed_and_named_if_that_is_not_at_all() {
     let wedge = ring(&[[0.0, 0.0], [10.0, -1.0], [10.0, 1.0]]);
-    let found = conditioned(&[wedge.clone()], &BoundaryDemands::default());
+    let found = conditioned(std::slice::from_ref(&wedge), &BoundaryDemands::default());
     assert_eq!(found.left.len(), 1);
     assert_eq!((found.left[0].at, found.left[0].reason), (DVec2::ZERO, Reason::Sharp));
     assert!((found.left[0].limit - 11.42).abs() < 0.01);
     let found = conditioned(
-        &[wedge.clone()],
+        std::slice::from_ref(&wedge),
         &BoundaryDemands { within: 0.5, ..BoundaryDemands::default() },
     );
     assert_eq!(count(&found, ChangeKind::Cut), 1);
     assert!(found.left.is_empty() && found.after >= 25.0, "{found:?}");
-    assert!(found.moved <= 0.5 && (apart(&[wedge.clone()], &places(&found)) - 0.5).abs() < 0.01);
+    assert!(
+        found.moved <= 0.5
+            && (apart(std::slice::from_ref(&wedge), &places(&found)) - 0.5).abs() < 0.01
+    );
     // A point that stays keeps its tip.
     let boundary = PlanarBoundary::new(&[wedge]).unwrap();
     let found =
@@ -194,7 +197,7 @@ fn a_rock_in_a_bay_keeps_the_bay() {
     ]);
     let rock = ring(&[[4.9, -0.2], [5.0, -0.1], [5.1, -0.2]]);
     let demands = BoundaryDemands { within: 1.0, size: Some(8.0), ..BoundaryDemands::default() };
-    let without = conditioned(&[bay.clone()], &demands);
+    let without = conditioned(std::slice::from_ref(&bay), &demands);
     assert!(without.rings[0].iter().all(|point| point.of != Some(2)), "{without:?}");
     let with = conditioned(&[bay, rock], &demands);
     assert!(with.rings[0].iter().any(|point| point.of == Some(2)));
