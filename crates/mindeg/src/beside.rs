@@ -73,7 +73,7 @@ impl MeshBeside {
 ///
 /// # Errors
 ///
-/// No domain, or the errors of [`mesh`](crate::mesh), with the index of the first domain that has one.
+/// No domain, or the errors of [`mesh`], with the index of the first domain that has one.
 ///
 /// # Example
 ///
