@@ -99,7 +99,7 @@ proptest! {
             prop_assert_eq!(read.positions(), &points[..], "{:?}", format);
             prop_assert_eq!(read.triangles(), &faces[..], "{:?}", format);
             let lines = match format {
-                Format::Node | Format::Fort14 => names(&mesh),
+                Format::Node | Format::Fort14 | Format::Npz => names(&mesh),
                 Format::Sms2dm => {
                     (1..=mesh.lines().len()).map(|i| format!("node string {i}")).collect()
                 }
