@@ -7,8 +7,11 @@
 //! use mindeg::remesh::{Remesh, remesh};
 //! use mindeg::{Progress, TriMesh, glam::DVec3};
 //!
-//! let points = vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
-//! let part = TriMesh::new(points, vec![[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])?;
+//! // A cube: bits 0 to 2 of a vertex are its x, y and z.
+//! let at = |v: u32| DVec3::from([v & 1, v >> 1 & 1, v >> 2].map(f64::from));
+//! let sides = [[0, 2, 1, 3], [4, 5, 6, 7], [0, 1, 4, 5], [2, 6, 3, 7], [0, 4, 2, 6], [1, 3, 5, 7]];
+//! let triangles = sides.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [b, d, c]]).collect();
+//! let part = TriMesh::new((0..8).map(at).collect(), triangles)?;
 //! let found = remesh(&part, &Remesh { size: Some(0.25), ..Remesh::default() }, Progress::NONE)?;
 //! assert!(found.reached.off_degree.is_empty() && found.defects().next().is_none());
 //! assert!(found.verified.to_part.upper < 1e-9 && found.verified.from_part.upper < 1e-9);

@@ -145,8 +145,11 @@ const FLOOR: f64 = 35.0;
 /// use mindeg_mesh::Progress;
 /// use mindeg_surfaces::{FeatureRules, Surface};
 ///
-/// let points = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
-/// let triangles = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
+/// // A cube: bits 0 to 2 of a vertex are its x, y and z.
+/// let at = |v: u32| DVec3::from([v & 1, v >> 1 & 1, v >> 2].map(f64::from));
+/// let points: Vec<DVec3> = (0..8).map(at).collect();
+/// let sides = [[0, 2, 1, 3], [4, 5, 6, 7], [0, 1, 4, 5], [2, 6, 3, 7], [0, 4, 2, 6], [1, 3, 5, 7]];
+/// let triangles: Vec<[u32; 3]> = sides.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [b, d, c]]).collect();
 /// let surface = Surface::new(&points, &triangles, &[], &FeatureRules::default())?;
 /// let options = RemeshOptions { size: Some(0.2), ..RemeshOptions::default() };
 /// let mesh = remesh(&surface, &options, Progress::NONE)?;
