@@ -94,9 +94,14 @@ fn a_domain_s_file_has_the_counts_too() {
             continue; // it tells the degree under limits, too
         }
         let limited = r#"{"rectangle": {"width": 4, "height": 3}, "size": 1, "sides": [
-            {"max_degree": 5}, {}, {}, {}]}"#;
+            {"outside_degree": [0, 1, 0, 0, 0]}, {}, {}, {}]}"#;
         mindeg_reading([command, "-"], limited.as_bytes())
-            .refuses(&["the domain gives outside_degree or max_degree", "mindeg degree, mesh"]);
+            .refuses(&["outside_degree or max_degree of single vertices", "degree, mesh"]);
+        // A limit of a whole side holds after a change, too.
+        let limited =
+            FRAME.replacen(r#"{"intervals": 3}"#, r#"{"intervals": 3, "max_degree": 4}"#, 1);
+        let answer = mindeg_reading([command, "-", "--json"], limited.as_bytes()).json();
+        assert_eq!(answer["suggestions"][0]["reached"], 4, "{answer}");
     }
 }
 
@@ -147,7 +152,23 @@ fn with_holes_changes_are_searched_and_say_what_is_proven() {
         {"intervals": 9}, {"intervals": 1}, {"intervals": 1}, {"intervals": 1}, {"intervals": 1}, {"intervals": 1}]}"#;
     let row = &reading(&["--json"], ell).json()["suggestions"][0];
     assert_eq!((&row["cost"], &row["cost_at_least"]), (&json!(1), &json!(1)));
-    let points = r#"{"ring": [[0, 0], [4, 0], [1, 1], [0, 4]]}"#;
-    reading(&[], points)
-        .refuses(&["each side of the domain has points of its own", "\"intervals\""]);
+}
+
+/// A drawn outline has no counts: an edge is divided, and no point is taken away or moved.
+#[test]
+fn drawn_outlines_get_points_on_their_longest_edges() {
+    let frame = r#"{"ring": [[0, 0], [2, 0], [4, 0], [4, 2], [4, 4], [2, 4], [0, 4], [0, 2]],
+        "holes": [{"ring": [[1, 1], [1, 2], [1, 3], [1.5, 3], [2, 3], [3, 3], [3, 1]]}]}"#;
+    let reading = |arguments: &[&str]| {
+        mindeg_reading(["suggest", "-"].iter().chain(arguments), frame.as_bytes())
+    };
+    let text = reading(&[]).text().to_owned();
+    let change = "For 4: add 1 to hole 1 at (3, 2), giving 8; 8.";
+    assert!(
+        text.starts_with("The least maximum degree is 5.\n") && text.contains(change),
+        "{text}"
+    );
+    let row = &reading(&["--json"]).json()["suggestions"][0];
+    assert_eq!((&row["cost"], &row["cost_at_least"]), (&json!(1), &json!(1)));
+    assert_eq!(row["changes"][0]["points"], json!([[3.0, 2.0]]));
 }

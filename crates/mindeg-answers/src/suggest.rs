@@ -1,8 +1,9 @@
 //! Changes of interval counts that bring the least maximum degree down.
 
 use crate::limit::{LiftAnswer, LimitAnswer};
+use crate::numbers::significant;
 use mindeg::changes::{CountChange, CountChanges, count_changes};
-use mindeg::{Domain, MeshError, Progress};
+use mindeg::{Domain, Intervals, MeshError, Progress};
 use mindeg_core::{Boundary, Change, Suggestion, least_max_degree, suggest, suggestions};
 use serde::Serialize;
 
@@ -52,7 +53,13 @@ pub struct SuggestedChange {
 struct ChangedSide {
     side: usize,
     by: i64,
+    /// The points that a side with points of its own gets.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    points: Vec<[f64; 2]>,
 }
+
+/// At most this many added points are named in a sentence.
+const MOST_NAMED: usize = 3;
 
 /// A degree that no change was found for.
 #[derive(Clone, Copy, Debug, Serialize)]
@@ -173,7 +180,8 @@ impl SuggestedChange {
         let intervals = suggestion.intervals(boundary);
         let words = in_words(suggestion, |side| format!("side {}", side + 1));
         let rings = [intervals.as_slice()];
-        Self::new(suggestion, true, suggestion.cost(), &rings, &words)
+        let changes = suggestion.changes.iter().map(|change| ChangedSide::new(change, Vec::new()));
+        Self::new(suggestion, true, suggestion.cost(), changes.collect(), &rings, &words)
     }
 
     /// A change that was found for a domain.
@@ -182,18 +190,24 @@ impl SuggestedChange {
         let counts: Vec<u64> = after.rings().sides().map(u64::from).collect();
         let ring = |ring| &counts[after.rings().ring_sides(ring)];
         let rings: Vec<&[u64]> = (0..after.rings().ring_count()).map(ring).collect();
-        let words = in_words(suggestion, |side| domain.side_name(side));
-        Self::new(suggestion, *is_least, *at_least, &rings, &words)
+        let changes: Vec<ChangedSide> =
+            suggestion.changes.iter().map(|one| ChangedSide::of(one, domain, after)).collect();
+        let words = in_words(suggestion, |side| {
+            let points = changes.iter().find(|change| change.side == side + 1);
+            let places = points.map_or_else(String::new, ChangedSide::places);
+            format!("{}{places}", domain.side_name(side))
+        });
+        Self::new(suggestion, *is_least, *at_least, changes, &rings, &words)
     }
 
     fn new(
         suggestion: &Suggestion,
         is_least: bool,
         cost_at_least: u64,
+        changes: Vec<ChangedSide>,
         rings: &[&[u64]],
         words: &str,
     ) -> Self {
-        let changed = |&Change { side, by }: &Change| ChangedSide { side: side + 1, by };
         let (reached, cost) = (suggestion.max_degree, suggestion.cost());
         let counts = |ring: &&[u64]| ring.iter().map(u64::to_string).collect::<Vec<_>>().join(",");
         let counts = rings.iter().map(counts).collect::<Vec<_>>().join("; ");
@@ -215,8 +229,32 @@ impl SuggestedChange {
             cost,
             cost_at_least,
             intervals: rings.concat(),
-            changes: suggestion.changes.iter().map(changed).collect(),
+            changes,
             words,
+        }
+    }
+}
+
+impl ChangedSide {
+    fn new(&Change { side, by }: &Change, points: Vec<[f64; 2]>) -> Self {
+        Self { side: side + 1, by, points }
+    }
+
+    fn of(change: &Change, before: &Domain, after: &Domain) -> Self {
+        let [old, new] = [before, after].map(|domain| &domain.sides()[change.side]);
+        let own = if new.intervals == Intervals::Points { new.curve.points() } else { &[] };
+        let added = own.iter().filter(|point| !old.curve.points().contains(point));
+        Self::new(change, added.map(|&point| point.into()).collect())
+    }
+
+    /// Where its points are, such as " at (0.5, 1)".
+    fn places(&self) -> String {
+        let place = |[x, y]: &[f64; 2]| format!("({}, {})", significant(*x, 9), significant(*y, 9));
+        match self.points.len() {
+            1..=MOST_NAMED => {
+                format!(" at {}", self.points.iter().map(place).collect::<Vec<_>>().join(" and "))
+            }
+            _ => String::new(),
         }
     }
 }

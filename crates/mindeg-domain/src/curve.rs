@@ -73,7 +73,7 @@ impl Curve {
     }
 
     /// The points given besides the corners.
-    pub(crate) fn points(&self) -> &[DVec2] {
+    pub fn points(&self) -> &[DVec2] {
         match self {
             Self::Line => &[],
             Self::Arc(Arc::Through(point) | Arc::Center { center: point, .. }) => {

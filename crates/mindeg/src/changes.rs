@@ -5,11 +5,13 @@
 //! each of them is decided, a change that is found is the smallest. Where they are too many, more intervals go to
 //! one side alone, or in even shares to a ring or to all sides.
 //!
+//! A side with points of its own keeps them: more intervals divide its longest edges. Lines inside keep their points.
+//!
 //! Limits: a number of tries that depends on the number of vertices, and a share of the steps of `degree` for each.
-//! Sides with points of their own keep them.
 
+use glam::DVec2;
 use mindeg_core::{Change, Suggestion};
-use mindeg_domain::{Curve, Domain, Intervals, Side};
+use mindeg_domain::{Constraints, Domain, ExternalDegree, SideConstraint};
 use mindeg_mesh::Progress;
 use mindeg_mesh::parallel::map_all;
 
@@ -17,6 +19,7 @@ use crate::degree::{DegreeAnswer, degree_decided};
 use crate::error::MeshError;
 
 mod listed;
+mod side;
 
 /// The tries of a domain, times the square of its vertices: some seconds.
 const WORK: usize = 4_000_000;
@@ -69,7 +72,7 @@ pub struct CountChange {
 ///
 /// # Errors
 ///
-/// A domain that is constrained, or whose sides all have points of their own; the errors of
+/// A domain with degrees of single vertices, which other counts would move; the errors of
 /// [`degree`](crate::exact::degree).
 ///
 /// # Example
@@ -92,25 +95,13 @@ pub fn count_changes(
     wanted: Option<u32>,
     progress: Progress<'_>,
 ) -> Result<CountChanges, MeshError> {
-    if domain.is_constrained() {
+    if constrains_vertices(domain.constraints()) {
         return Err(MeshError::refused(
-            "the domain gives outside_degree or max_degree, whose vertices other counts would move; mindeg degree, mesh \
-             and tradeoff keep to them",
-        ));
-    }
-    if domain.is_map() {
-        return Err(MeshError::refused(
-            "the domain has lines or points inside, for which no changes of counts are looked for yet; mindeg degree tells \
-             its degree",
+            "the domain gives outside_degree or max_degree of single vertices, which other counts would move; mindeg \
+             degree, mesh and tradeoff keep to them",
         ));
     }
     let mut tries = Tries::new(domain, progress);
-    if tries.free.is_empty() {
-        return Err(MeshError::refused(
-            "each side of the domain has points of its own, so there are no counts to change; give sides \
-             \"intervals\" or \"size\" in a domain's JSON (docs/domains.md)",
-        ));
-    }
     let today = degree_decided(domain, None, 1.0, progress)?;
     let floor = floor(domain);
     let (mut found, mut open, mut at_least) = (Vec::<CountChange>::new(), None, 0);
@@ -132,10 +123,17 @@ pub fn count_changes(
     Ok(CountChanges { today, found, floor, open })
 }
 
+/// Whether degrees are given vertex by vertex.
+fn constrains_vertices(constraints: &Constraints) -> bool {
+    let each = |side: &SideConstraint| matches!(side.external_degree, ExternalDegree::Each(_));
+    !constraints.vertices.is_empty() || constraints.sides.iter().any(each)
+}
+
 /// The least maximum degree that any counts could have. Without a hole an ear is left out only of few vertices; with
-/// several, the mean of the degrees is above 4.
+/// several, the mean of the degrees is above 4. Lines and points inside may join rings, or make small triangles.
 fn floor(domain: &Domain) -> u32 {
     match domain.rings().ring_count() - 1 {
+        _ if domain.is_map() => 2,
         0 => (domain.rings().side_count() as u32).clamp(3, 5) - 1,
         1 => 4,
         _ => 5,
@@ -156,8 +154,6 @@ enum Tried {
 struct Tries<'a> {
     domain: &'a Domain,
     counts: Vec<u64>,
-    /// The sides whose counts may change.
-    free: Vec<usize>,
     total: usize,
     left: usize,
     progress: Progress<'a>,
@@ -165,21 +161,23 @@ struct Tries<'a> {
 
 impl<'a> Tries<'a> {
     fn new(domain: &'a Domain, progress: Progress<'a>) -> Self {
-        let keeps_points = |side: &Side| match (&side.curve, side.intervals) {
-            (Curve::Polyline(points), Intervals::Points) => !points.is_empty(),
-            _ => false,
-        };
-        let free = (0..).zip(domain.sides()).filter(|(_, side)| !keeps_points(side));
         let vertices = domain.rings().vertex_count() as usize;
         let total = (WORK / vertices.saturating_pow(2)).clamp(TRIES[0], TRIES[1]);
         Self {
             domain,
             counts: domain.rings().sides().map(u64::from).collect(),
-            free: free.map(|(index, _)| index).collect(),
             total,
             left: total,
             progress,
         }
+    }
+
+    /// The points where a side begins and ends.
+    fn ends(&self, side: usize) -> [DVec2; 2] {
+        let rings = self.domain.rings();
+        let own = rings.ring_sides(rings.in_ring(side).ring);
+        let next = if side + 1 == own.end { own.start } else { side + 1 };
+        [side, next].map(|corner| self.domain.placement().corners()[corner])
     }
 
     /// The smallest change that is found to lead to `target`, of `at_least` intervals, and how many it has at least.
@@ -214,18 +212,15 @@ impl<'a> Tries<'a> {
         from: u64,
         at_least: u64,
     ) -> Result<Option<CountChange>, MeshError> {
-        let mut coarsest = self.free.clone();
+        let all: Vec<usize> = (0..self.counts.len()).collect();
+        let mut coarsest = all.clone();
         coarsest.sort_by(|&a, &b| self.interval(b, 0).total_cmp(&self.interval(a, 0)));
         let rings = self.domain.rings();
-        let of_ring = |ring: usize| {
-            let of_ring = |side: &usize| rings.ring_sides(ring).contains(side);
-            self.free.iter().copied().filter(of_ring).collect()
-        };
+        let of_ring = |ring: usize| rings.ring_sides(ring).collect();
         let mut kinds: Vec<Vec<usize>> = coarsest.iter().map(|&side| vec![side]).collect();
         kinds.truncate(COARSEST);
         kinds.extend((0..rings.ring_count()).map(of_ring).take(COARSEST));
-        kinds.push(self.free.clone());
-        kinds.retain(|sides| !sides.is_empty());
+        kinds.push(all);
         let most = u64::from(rings.vertex_count()).max(FEW);
         let (mut low, mut size) = (from, from);
         while self.left > 0 && size <= most {
@@ -327,7 +322,7 @@ impl<'a> Tries<'a> {
         let mut sides = self.domain.sides().to_vec();
         for &Change { side, by } in by {
             let count = self.counts[side].saturating_add_signed(by);
-            sides[side].intervals = Intervals::Count(count);
+            sides[side] = side::with_intervals(&sides[side], self.ends(side), count);
         }
         // Rings that touch or have too few vertices are no domain.
         let Ok(domain) = self.domain.with_sides(sides) else { return Ok(Tried::Excluded) };

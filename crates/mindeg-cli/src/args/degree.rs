@@ -54,8 +54,8 @@ Examples:
 /// Suggest the least change of interval counts that brings the least maximum degree down
 ///
 /// Least means the fewest intervals added or taken away in all. Of changes of the same size, one
-/// that adds is preferred. A domain with holes or without a convex outline is searched: the answer says what is
-/// proven. For a domain, also changes that lift the limit of the minimum angle with interior points.
+/// that adds is preferred. A domain with holes, without a convex outline or with lines inside is searched: the answer
+/// says what is proven. A side with points of its own keeps them and gets more on its longest edges. For a domain, also changes that lift the limit of the minimum angle with interior points.
 #[derive(Debug, Args)]
 #[command(after_help = SUGGEST, after_long_help = with_exit_codes(SUGGEST))]
 pub(crate) struct SuggestArguments {
@@ -73,7 +73,7 @@ pub(crate) struct SuggestArguments {
 
     /// Print JSON: intervals, least_max_degree (null if not known), reached, suggestion_count, and suggestions, a
     /// list of least_max_degree, reached, cost, cost_at_least (no change of less cost is enough), changes (side
-    /// counted from 1 through all rings, by) and intervals; open, a smaller degree that no change was found for, with
+    /// counted from 1 through all rings, by, and the points that are added to points of its own) and intervals; open, a smaller degree that no change was found for, with
     /// cost_at_least; for a domain limit and angle_suggestions
     #[arg(long)]
     pub(crate) json: bool,

@@ -5,6 +5,7 @@ use std::cmp::Reverse;
 use mindeg_core::Change;
 
 use super::Tries;
+use super::side::own_points;
 
 /// The most changes of one size that are looked at before they are tried.
 const MOST_LISTED: usize = 100_000;
@@ -13,6 +14,9 @@ impl Tries<'_> {
     /// The size that a change to `target` has at least: two rings of as many vertices for degree 4, and enough
     /// vertices for the sum of the degrees.
     pub(super) fn least_size(&self, target: u32) -> u64 {
+        if self.domain.is_map() {
+            return 0;
+        }
         let rings = self.domain.rings();
         let vertices = u64::from(rings.vertex_count());
         match (rings.ring_count() as u64, target) {
@@ -34,6 +38,7 @@ impl Tries<'_> {
             rings.ring(ring).len() as i64 + own.map(|change| change.by).sum::<i64>()
         };
         match (rings.ring_count(), target) {
+            _ if self.domain.is_map() => false,
             (2, 4) => vertices(0) != vertices(1),
             (count @ 3.., 5..) => {
                 let all: i64 = (0..count).map(vertices).sum();
@@ -61,7 +66,7 @@ impl Tries<'_> {
         Some(all)
     }
 
-    /// Lists the changes of `left` intervals from a free side on.
+    /// Lists the changes of `left` intervals from a side on.
     fn list(
         &self,
         target: u32,
@@ -77,16 +82,16 @@ impl Tries<'_> {
             }
             return;
         }
-        for at in from..self.free.len() {
+        for side in from..self.counts.len() {
             if *listed > MOST_LISTED {
                 return;
             }
             *listed += 1;
-            let side = self.free[at];
-            let removable = left.min(self.counts[side] as i64 - 1);
+            let keeps = own_points(&self.domain.sides()[side]).is_some_and(|own| !own.is_empty());
+            let removable = if keeps { 0 } else { left.min(self.counts[side] as i64 - 1) };
             for by in (-removable..=left).filter(|&by| by != 0) {
                 change.push(Change { side, by });
-                self.list(target, left - by.abs(), at + 1, change, listed, all);
+                self.list(target, left - by.abs(), side + 1, change, listed, all);
                 change.pop();
             }
         }
