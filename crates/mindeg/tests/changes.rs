@@ -2,7 +2,9 @@
 
 use mindeg::changes::{CountChange, CountChanges, count_changes};
 use mindeg::exact::degree;
-use mindeg::{Domain, Intervals, Progress, Ring, Side};
+use mindeg::{
+    Constraints, Domain, Intervals, Outline, Progress, Rectangle, Ring, Side, VertexConstraint,
+};
 
 fn counts(intervals: &[u64]) -> Vec<Side> {
     intervals.iter().map(|&count| Side::count(count)).collect()
@@ -93,9 +95,27 @@ fn counting_tells_what_no_change_reaches() {
 
 #[test]
 fn points_and_limits_stay_where_they_are() {
-    let points = |half: f64| [(-half, -half), (half, -half), (half, half), (-half, half)];
-    let rings = vec![Ring::of_points(points(2.0)), Ring::of_points(points(1.0))];
-    let error = |domain: &Domain| count_changes(domain, None, Progress::NONE).unwrap_err();
-    let message = error(&Domain::of_rings(rings).unwrap()).to_string();
-    assert!(message.starts_with("each side of the domain has points of its own"), "{message}");
+    // Seven points inside eight: degree 4 takes one more.
+    let square = |half: f64| {
+        let turns = [(-1, -1), (0, -1), (1, -1), (1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0)];
+        turns.map(|(x, y)| (half * f64::from(x), half * f64::from(y)))
+    };
+    let rings = vec![Ring::of_points(square(2.0)), Ring::of_points(square(1.0)[..7].to_vec())];
+    let domain = Domain::of_rings(rings).unwrap();
+    let changes = found(&domain, None);
+    let change = &changes.found[0];
+    assert_eq!(
+        (change.suggestion.max_degree, change.suggestion.cost(), change.at_least),
+        (4, 1, 1)
+    );
+    let after: Vec<_> = change.domain.placement().points().collect();
+    assert!(domain.placement().points().all(|point| after.contains(&point)), "{after:?}");
+    assert_eq!(after.len(), 16);
+
+    let limit = VertexConstraint { vertex: 0, external_degree: 0, degree_limit: Some(5) };
+    let constraints = Constraints { vertices: vec![limit], ..Constraints::default() };
+    let outline = Outline::Rectangle(Rectangle::new(4.0, 3.0));
+    let limited = Domain::builder(outline, counts(&[3, 2, 2, 2])).constraints(constraints);
+    let error = count_changes(&limited.build().unwrap(), None, Progress::NONE).unwrap_err();
+    assert!(error.to_string().contains("of single vertices"), "{error}");
 }
