@@ -253,9 +253,9 @@ def grading(mesh):
     return float(np.percentile(np.sqrt(np.maximum(ratio, 1 / ratio)), 99))
 
 
-def write_section(name, text, page="interior.md"):
-    """Replaces the text between two marks of a page of docs/."""
-    page = ROOT / "docs" / page
+def write_section(name, text, page="benches/results/interior.md"):
+    """Replaces the text between two marks of a page."""
+    page = ROOT / page
     begin, end = f"<!-- {name}: begin -->\n", f"<!-- {name}: end -->"
     content = page.read_text()
     head, rest = content.split(begin)

@@ -1,4 +1,4 @@
-"""mindeg beside Triangle, Gmsh and MMG2D: the table of docs/interior.md.
+"""mindeg beside Triangle, Gmsh and MMG2D: the table of benches/results/interior.md.
 
 Every program gets the boundary's points as they are and may add none on it. Settings are those that
 gave each its best meshes in trials: see the table's notes.

@@ -1,6 +1,6 @@
 """Does the first triangulation of a boundary matter for what is made of it?
 
-Two tables for docs/interior.md. First: Lawson's flips from four triangulations of the same boundary
+Two tables for benches/results/interior.md. First: Lawson's flips from four triangulations of the same boundary
 points. Second: the same triangulations divided uniformly, and a Poisson problem solved on each.
 """
 

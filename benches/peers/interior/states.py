@@ -139,7 +139,7 @@ def main():
 {len(states.polygons)} polygons, {len(states.points):,} points; packages {packages}. Border vertices are those between states alone.
 """
     print(text)
-    write_section("states", text, page="maps.md")
+    write_section("states", text, page="docs/maps.md")
 
 
 if __name__ == "__main__":
