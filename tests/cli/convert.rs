@@ -12,7 +12,8 @@ const SPACE: &str = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0.5\nv 2 1 0\nv 0
 const IS_WRITTEN: fn(&Format) -> bool = |format| *format != Format::Png || cfg!(feature = "png");
 
 /// The formats for the plane.
-const PLANE: [Format; 3] = [Format::Su2, Format::Node, Format::Fort14];
+const PLANE: &[Format] =
+    &[Format::Su2, Format::Node, Format::Fort14, Format::Slf, Format::Ugrid, Format::GeoJson];
 
 fn path(folder: &Path, stem: &str, format: Format) -> PathBuf {
     folder.join(stem).with_extension(format.extension())

@@ -122,7 +122,8 @@ fn one_too_many(command: &str, word: &str) -> Option<String> {
         return None;
     }
     // A name such as icon.svg is more likely an output.
-    let is_domain = is_domain_name(word.as_ref()) && Format::of_path(word.as_ref()).is_none();
+    let is_domain =
+        is_domain_name(word.as_ref()) && Format::of_path(word.as_ref()) != Some(Format::Svg);
     match (command, extension(word).as_deref()) {
         ("mesh" | "tradeoff" | "degree" | "suggest" | "domain", Some(_)) if is_domain => Some(
             format!("one domain at a time: {word} is a second one; mindeg compare takes several"),

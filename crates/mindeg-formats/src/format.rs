@@ -58,10 +58,16 @@ formats! {
     Node => crate::triangle::FACTS,
     /// ADCIRC's `fort.14`.
     Fort14 => crate::fort14::FACTS,
+    /// TELEMAC's SELAFIN.
+    Slf => crate::slf::FACTS,
+    /// NetCDF by the UGRID conventions.
+    Ugrid => crate::ugrid::FACTS,
     /// SMS's `.2dm`.
     Sms2dm => crate::sms2dm::FACTS,
     /// Arrays of numpy.
     Npz => crate::npz::FACTS,
+    /// Features of GeoJSON.
+    GeoJson => crate::geojson::FACTS,
 }
 
 impl Format {

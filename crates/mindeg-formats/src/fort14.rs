@@ -1,4 +1,4 @@
-//! `fort.14`, the grid of ADCIRC, which SWAN and other coastal models read too.
+//! `fort.14`, the grid of ADCIRC, which SWAN and other coastal models read too; SCHISM calls it `hgrid.gr3`.
 //!
 //! Vertices and triangles count from 1 without gaps, as SWAN asks. The lines of the mesh are boundary
 //! segments: open, land or island by their kind. Where that is not known, a hole is an island, and
@@ -18,8 +18,8 @@ use write::sections;
 
 pub(crate) const FACTS: Facts = Facts {
     name: "fort14",
-    description: "ADCIRC fort.14",
-    extensions: &["14", "grd"],
+    description: "ADCIRC fort.14 or SCHISM hgrid.gr3",
+    extensions: &["14", "grd", "gr3"],
     has_boundary: true,
     fits,
     read: Some(|source| read(source.input)),

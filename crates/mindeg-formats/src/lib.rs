@@ -1,8 +1,8 @@
 //! Triangle meshes in and out of files.
 //!
-//! Seventeen formats, each a module with reader and writer side by side: surfaces ([`obj`], [`gltf`],
+//! Twenty formats, each a module with reader and writer side by side: surfaces ([`obj`], [`gltf`],
 //! [`glb`], [`ply`], [`stl`], [`off`]), solver files ([`msh`], [`vtu`], [`vtk`], [`su2`], [`inp`],
-//! [`triangle`], [`fort14`], [`sms2dm`]), arrays of numpy ([`npz`]), and pictures ([`svg`], [`png`]).
+//! [`triangle`], [`fort14`], [`slf`], UGRID, [`sms2dm`]), arrays of numpy ([`npz`]), maps (GeoJSON), and pictures ([`svg`], [`png`]).
 //! [`Format`] lists them; [`read()`] and [`Writer`] choose among them. Every reader gives a
 //! [`TriMesh`](mindeg_mesh::TriMesh), every writer takes any [`Mesh`](mindeg_mesh::Mesh), so each mesh that
 //! is read can be written in any format.
@@ -36,6 +36,7 @@ mod facts;
 mod field;
 mod format;
 pub mod fort14;
+mod geojson;
 pub mod gltf;
 mod grid;
 pub mod inp;
@@ -57,12 +58,14 @@ mod records;
 mod runs;
 mod scanner;
 mod sections;
+pub mod slf;
 pub mod sms2dm;
 pub mod stl;
 pub mod su2;
 pub mod svg;
 mod tables;
 pub mod triangle;
+mod ugrid;
 mod unfold;
 pub mod vtk;
 pub mod vtu;
