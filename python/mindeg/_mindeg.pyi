@@ -120,6 +120,8 @@ def remesh(
     target_angle: float | None = None,
     keep_boundary: bool = False,
     keep_features: bool = False,
+    curvature: bool = False,
+    repair: bool = False,
 ) -> Mesh: ...
 def fill_loop(
     points: npt.ArrayLike,

@@ -122,3 +122,62 @@ fn what_is_not_kept_is_not_written() {
     mindeg(["remesh", text(&broken), "-o", text(&file)])
         .refuses(&["the part is no surface: 3 triangles share an edge (0, 1, 2), at (0.5, 0, 0)"]);
 }
+
+#[test]
+fn tips_of_a_tetrahedron_are_proven() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [part, file] = ["part.obj", "mesh.stl"].map(|name| folder.path().join(name));
+    fs::write(&part, "v 0 0 0\nv 1 1 0\nv 0 1 1\nv 1 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n")
+        .expect("a file");
+    let made = mindeg(["remesh", text(&part), "-o", text(&file), "--size", "0.2", "--json"]);
+    assert!(made.errors.contains("4 vertices have the degree that corners of the part force"));
+    let made = made.json();
+    assert_eq!(
+        (made["off_degree"].as_array().map(Vec::len), made["degrees"][0].as_u64()),
+        (Some(0), Some(3))
+    );
+    let run = mindeg(["verify", text(&file), "--surface", text(&part), "--json"]);
+    assert_eq!(run.code, Some(0), "{run:?}");
+    let proven = run.json()["proven"].as_array().cloned().expect("a list");
+    assert_eq!((proven.len(), &proven[0]["allowed"]), (4, &serde_json::json!([3, 3])));
+}
+
+#[test]
+fn dirty_parts_are_refused_unless_they_are_to_be_repaired() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [part, file] = ["part.obj", "mesh.ply"].map(|name| folder.path().join(name));
+    // A tetrahedron with a fin, a face twice, and one turned over.
+    fs::write(
+        &part,
+        "v 0 0 0\nv 1 1 0\nv 0 1 1\nv 1 0 1\nv 0.5 0.4 -0.5\nf 1 3 2\nf 1 2 4\nf 2 4 3\nf 3 1 4\nf 1 3 2\nf 1 2 5\n",
+    )
+    .expect("a file");
+    let arguments = ["remesh", text(&part), "-o", text(&file), "--size", "0.2"];
+    mindeg(arguments).refuses(&["share an edge", "--repair mends what can be mended"]);
+    let run = mindeg(arguments.into_iter().chain(["--repair", "--json", "--preset", "fvcom"]));
+    assert!(
+        run.errors.contains("Repaired first: 1 doubled face dropped, 1 face too many at an edge dropped, 1 face turned over."),
+        "{run:?}"
+    );
+    let made = run.json();
+    assert_eq!(
+        (&made["repairs"]["turned_faces"], &made["repairs"]["filled_holes"]),
+        (&1.into(), &0.into())
+    );
+    assert_eq!(made["boundary_degrees"], serde_json::Value::Null);
+}
+
+#[test]
+fn edges_follow_the_curvature() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("part.obj");
+    let part = asset("models/bracket.obj");
+    let vertices = |more: &[&str]| {
+        let arguments = ["remesh", &part, "-o", text(&file), "--size", "4", "--json"];
+        let made = mindeg(arguments.iter().chain(more).copied().collect::<Vec<_>>()).json();
+        assert_eq!(made["off_degree"].as_array().map(Vec::len), Some(0), "{made}");
+        made["vertices"].as_u64().expect("a number")
+    };
+    let [even, by_curvature] = [vertices(&[]), vertices(&["--curvature"])];
+    assert!(3 * by_curvature < 2 * even, "{even} {by_curvature}");
+}

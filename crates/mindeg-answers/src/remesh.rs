@@ -1,8 +1,9 @@
 //! What a remesh reached.
 
 use crate::numbers::{count, four_digits, percent, steady_angle};
-use crate::surface::Distance;
+use crate::surface::{Distance, ProvenVertex};
 use mindeg::remesh::RemeshedPart;
+use mindeg::repair::Repairs;
 use mindeg::verify::MeshDefect;
 use mindeg::{Bounds, TriMesh};
 use serde::Serialize;
@@ -21,6 +22,7 @@ pub struct RemeshAnswer {
     degrees: Option<[u32; 2]>,
     boundary_degrees: Option<[u32; 2]>,
     off_degree: Vec<OffVertex>,
+    proven: Vec<ProvenVertex>,
     min_angle: f64,
     min_angle_triangle: u32,
     corner_limits: Vec<LimitingCorner>,
@@ -33,6 +35,8 @@ pub struct RemeshAnswer {
     curves_from_part: Option<Distance>,
     crossings: usize,
     part_crossings: usize,
+    /// What was mended first, or null.
+    repairs: Option<Repairs>,
     dropped: Vec<&'static str>,
     /// Why the mesh may not take the place of the part.
     pub defects: Vec<MeshDefect>,
@@ -78,6 +82,10 @@ impl RemeshAnswer {
             sectors: corner.sectors.clone(),
             limit: corner.limit,
         };
+        let proven: Vec<ProvenVertex> = verified.proven.iter().map(ProvenVertex::from).collect();
+        let is_open = |off: &&mindeg::remesh::OffDegree| {
+            proven.iter().all(|proven| proven.vertex != off.vertex)
+        };
         let curves = |index: usize| found.curves.map(|both| both[index].into());
         Self {
             file: file.to_owned(),
@@ -88,7 +96,8 @@ impl RemeshAnswer {
             diagonal: bounds.map_or(0.0, |bounds| bounds.size().length()),
             degrees: verified.inside,
             boundary_degrees: verified.boundary,
-            off_degree: reached.off_degree.iter().map(off_vertex).collect(),
+            off_degree: reached.off_degree.iter().filter(is_open).map(off_vertex).collect(),
+            proven,
             min_angle: verified.min_angle.0,
             min_angle_triangle: verified.min_angle.1,
             corner_limits: reached.corner_limits.iter().map(corner).collect(),
@@ -101,6 +110,7 @@ impl RemeshAnswer {
             curves_from_part: curves(0),
             crossings: verified.crossings.len(),
             part_crossings: verified.part_crossings,
+            repairs: found.repairs,
             dropped: found.dropped.clone(),
             defects: found.defects().collect(),
         }
@@ -127,10 +137,7 @@ impl RemeshAnswer {
             count(self.triangles as u64),
             steady_angle(self.min_angle),
         )];
-        let things = |number: usize, one: &str, many: &str| match number {
-            1 => format!("1 {one}"),
-            number => format!("{} {many}", count(number as u64)),
-        };
+        lines.extend(self.repairs.map(|repairs| mended(&repairs)));
         lines.push(match self.curves + self.corners {
             0 => "It has no feature.".to_owned(),
             _ => format!(
@@ -147,6 +154,14 @@ impl RemeshAnswer {
                 things(self.corner_limits.len(), "corner limits", "corners limit"),
                 point(worst.point),
                 steady_angle(worst.limit)
+            ));
+        }
+        if let Some(first) = self.proven.first() {
+            lines.push(format!(
+                "{} the degree that corners of the part force, the first is vertex {} with {}.",
+                things(self.proven.len(), "vertex has", "vertices have"),
+                first.vertex,
+                first.degree
             ));
         }
         if let Some(off) = self.off_degree.first() {
@@ -191,6 +206,44 @@ impl RemeshAnswer {
             }
             None => surfaces + ".",
         }
+    }
+}
+
+/// A number with the word for one or many.
+fn things(number: usize, one: &str, many: &str) -> String {
+    match number {
+        1 => format!("1 {one}"),
+        number => format!("{} {many}", count(number as u64)),
+    }
+}
+
+/// What was mended, in a sentence.
+fn mended(repairs: &Repairs) -> String {
+    let Repairs {
+        welded_points,
+        flat_faces,
+        doubled_faces,
+        crowded_faces,
+        turned_faces,
+        split_points,
+        filled_holes,
+        fill_faces,
+    } = *repairs;
+    let done = [
+        (welded_points, "point welded", "points welded"),
+        (flat_faces, "face without area dropped", "faces without area dropped"),
+        (doubled_faces, "doubled face dropped", "doubled faces dropped"),
+        (crowded_faces, "face too many at an edge dropped", "faces too many at edges dropped"),
+        (turned_faces, "face turned over", "faces turned over"),
+        (split_points, "point of several fans split", "points of several fans split"),
+        (filled_holes, "hole filled", "holes filled"),
+        (fill_faces, "face in them", "faces in them"),
+    ];
+    let done = done.into_iter().filter(|(number, ..)| *number > 0);
+    let done: Vec<String> = done.map(|(number, one, many)| things(number, one, many)).collect();
+    match done.is_empty() {
+        true => "Nothing was to be repaired.".to_owned(),
+        false => format!("Repaired first: {}.", done.join(", ")),
     }
 }
 

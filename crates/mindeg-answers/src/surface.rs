@@ -3,7 +3,7 @@
 use crate::demands::Demands;
 use crate::numbers::{count, four_digits, percent, steady_angle};
 use mindeg::TriMesh;
-use mindeg::verify::{MeshDefect, SurfaceRules, VerifiedSurface};
+use mindeg::verify::{MeshDefect, ProvenDegree, SurfaceRules, VerifiedSurface};
 use mindeg_mesh::Bounds;
 use mindeg_mesh::distance::DistanceBound;
 use serde::Serialize;
@@ -22,6 +22,7 @@ pub struct SurfaceAnswer {
     degrees: Option<[u32; 2]>,
     boundary_degrees: Option<[u32; 2]>,
     out_of_range: Vec<u32>,
+    proven: Vec<ProvenVertex>,
     min_angle: f64,
     min_angle_triangle: u32,
     tolerance: f64,
@@ -36,6 +37,24 @@ pub struct SurfaceAnswer {
     /// The demands that the mesh fails, in words; all defects among them.
     pub failed: Vec<String>,
     passed: bool,
+}
+
+/// A vertex whose degree the corner of a part forces.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct ProvenVertex {
+    pub(crate) vertex: u32,
+    pub(crate) degree: u32,
+    /// The least and greatest degree that the sectors allow.
+    allowed: [u32; 2],
+    /// The angles between the curves of the part.
+    sectors: Vec<f64>,
+}
+
+impl From<&ProvenDegree> for ProvenVertex {
+    fn from(proven: &ProvenDegree) -> Self {
+        let ProvenDegree { vertex, degree, allowed, ref sectors, .. } = *proven;
+        Self { vertex, degree, allowed, sectors: sectors.clone() }
+    }
 }
 
 /// How far the farthest point is.
@@ -82,6 +101,7 @@ impl SurfaceAnswer {
             degrees: found.inside,
             boundary_degrees: found.boundary,
             out_of_range: found.out_of_range.iter().map(|found| found.vertex).collect(),
+            proven: found.proven.iter().map(ProvenVertex::from).collect(),
             min_angle: found.min_angle.0,
             min_angle_triangle: found.min_angle.1,
             tolerance: rules.tolerance,
@@ -119,7 +139,11 @@ impl SurfaceAnswer {
             0 => String::new(),
             wrong => format!("; {} out of range", count(wrong as u64)),
         };
-        row("degrees", degrees.join(", ") + &wrong);
+        let forced = match self.proven.len() {
+            0 => String::new(),
+            proven => format!("; {} as corners of the part force", count(proven as u64)),
+        };
+        row("degrees", degrees.join(", ") + &forced + &wrong);
         let angle = steady_angle(self.min_angle);
         row("minimum angle", format!("{angle}, in triangle {}", self.min_angle_triangle));
         let share = |length: f64| match self.diagonal > 0.0 {

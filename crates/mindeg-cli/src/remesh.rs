@@ -4,7 +4,7 @@ use crate::args::RemeshArguments;
 use crate::demands::met_or_written_anyway;
 use crate::failure::Failure;
 use crate::making::Making;
-use mindeg::remesh::{Remesh, remesh};
+use mindeg::remesh::{PartError, Remesh, remesh};
 use mindeg_answers::demands::Demands;
 use mindeg_answers::remesh::RemeshAnswer;
 
@@ -22,11 +22,20 @@ pub(crate) fn run(arguments: &RemeshArguments) -> Result<(), Failure> {
         target_angle: arguments.target_angle,
         keep_boundary: arguments.keep_boundary,
         keep_features: arguments.keep_features,
+        curvature: arguments.curvature,
+        repair: arguments.repair,
     };
     let found = making.work(|progress| remesh(&part, &wish, progress));
-    let found = found.map_err(|error| Failure::Input(format!("{file}: {error}")))?;
+    let found = found.map_err(|error| {
+        let hint = match error {
+            PartError::NoSurface(_) if !wish.repair => "; --repair mends what can be mended",
+            _ => "",
+        };
+        Failure::Input(format!("{file}: {error}{hint}"))
+    })?;
     let answer = RemeshAnswer::of(&file, &part, wish.tolerance, &found);
-    let demands = Demands { target_angle: arguments.target_angle, ..Demands::default() };
+    let (target_angle, preset) = (arguments.target_angle, arguments.preset.preset);
+    let demands = Demands { target_angle, preset, ..Demands::default() };
     let mut unmet: Vec<String> =
         answer.defects.iter().map(|defect| defect.message.clone()).collect();
     unmet.extend(demands.unmet_by(&found.mesh, found.verified.min_angle.0));

@@ -116,5 +116,5 @@ pub use options::{InteriorError, Options, check_coordinates};
 pub use report::{CertifiedVertex, CornerTradeOff, InteriorReport, LocalShares, Violation};
 pub use surface::{
     CornerLimit, OffDegree, RemeshError, RemeshOptions, RemeshReport, Remeshed, RemeshedCurve,
-    remesh,
+    improve_surface, remesh,
 };

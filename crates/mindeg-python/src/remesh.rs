@@ -13,12 +13,12 @@ use crate::work::{done, value_error};
 ///
 /// Takes a mesh in hand, or points (n, 3) and triangles (m, 3). `size` is the edge length, `vertices` about how many there
 /// are instead, `tolerance` how far the surfaces may be apart, `feature_angle` from which angle edges are features (180:
-/// none). `report` of the result has what was reached. `ValueError` for what is no manifold surface, and for a result
+/// none); `curvature` makes edges longer where the surface is flat, `repair` mends the surface first. `report` of the result has what was reached. `ValueError` for what is no manifold surface, and for a result
 /// that does not keep the tolerance, crosses itself or is turned over.
 #[pyfunction]
 #[pyo3(signature = (
     points, triangles=None, *, size=None, vertices=None, tolerance=None, feature_angle=40.0,
-    target_angle=None, keep_boundary=false, keep_features=false
+    target_angle=None, keep_boundary=false, keep_features=false, curvature=false, repair=false
 ))]
 #[expect(clippy::too_many_arguments, reason = "they are keywords in Python")]
 pub(crate) fn remesh(
@@ -32,6 +32,8 @@ pub(crate) fn remesh(
     target_angle: Option<f64>,
     keep_boundary: bool,
     keep_features: bool,
+    curvature: bool,
+    repair: bool,
 ) -> PyResult<Mesh> {
     let part = tri_mesh(points, triangles)?;
     let wish = Remesh {
@@ -42,6 +44,8 @@ pub(crate) fn remesh(
         target_angle,
         keep_boundary,
         keep_features,
+        curvature,
+        repair,
     };
     let found = done(py, |progress| meshed_anew(&part, &wish, progress))?;
     let answer = RemeshAnswer::of("", &part, tolerance, &found);

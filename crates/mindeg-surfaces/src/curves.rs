@@ -108,14 +108,18 @@ pub(crate) struct Curves {
 }
 
 impl Curves {
-    /// The curves along the edges that `bits` marks; see [`crate::features::features`]. O(n).
-    pub(crate) fn new(links: &Links, bits: &[u8], rules: &FeatureRules) -> Self {
+    /// The curves along the edges that `bits` marks; see [`crate::features::features`]. `kept` are corners, too, ascending
+    /// points of the input. O(n).
+    pub(crate) fn new(links: &Links, bits: &[u8], kept: &[u32], rules: &FeatureRules) -> Self {
         let graph = Graph::new(links, bits);
-        let mut curves = Self {
-            is_corner: corners(links, &graph, rules),
-            span_of: vec![[NONE; 3]; links.triangles.len()],
-            ..Self::default()
-        };
+        let mut is_corner = corners(links, &graph, rules);
+        if !kept.is_empty() {
+            for (is_corner, input) in is_corner.iter_mut().zip(&links.inputs) {
+                *is_corner |= kept.binary_search(input).is_ok();
+            }
+        }
+        let mut curves =
+            Self { is_corner, span_of: vec![[NONE; 3]; links.triangles.len()], ..Self::default() };
         let mut is_traced = vec![false; graph.edges.len()];
         let mut span_of_edge = vec![NONE; graph.edges.len()];
         for of_corners in [true, false] {

@@ -36,6 +36,17 @@ impl Default for FeatureRules {
     }
 }
 
+/// What a surface keeps whatever its shape, by the points and triangles of the input.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Given<'a> {
+    /// The group of each triangle; empty for one group.
+    pub groups: &'a [u32],
+    /// Edges that are features; those that no triangle has do not count.
+    pub edges: &'a [[u32; 2]],
+    /// Points that are corners.
+    pub corners: &'a [u32],
+}
+
 /// Why an edge is a feature.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Mark {
@@ -43,7 +54,7 @@ enum Mark {
     /// Sharp enough to continue a line of sharp edges.
     Weak,
     Sharp,
-    /// On the boundary or between groups.
+    /// On the boundary, between groups, or given.
     Given,
 }
 
@@ -61,8 +72,8 @@ struct Edge {
 }
 
 /// Bit i of a triangle: the edge opposite its corner i is a feature.
-pub(crate) fn features(links: &Links, groups: &[u32], rules: &FeatureRules) -> Vec<u8> {
-    let mut lines = FeatureLines::new(links, groups, rules);
+pub(crate) fn features(links: &Links, given: &Given<'_>, rules: &FeatureRules) -> Vec<u8> {
+    let mut lines = FeatureLines::new(links, given, rules);
     lines.close_gaps(links, rules);
     lines.drop_short(links, rules.shortest);
     let mut bits = vec![0; links.triangles.len()];
@@ -87,7 +98,14 @@ struct FeatureLines {
 }
 
 impl FeatureLines {
-    fn new(links: &Links, groups: &[u32], rules: &FeatureRules) -> Self {
+    fn new(links: &Links, given: &Given<'_>, rules: &FeatureRules) -> Self {
+        let sorted = |[a, b]: [u32; 2]| [a.min(b), a.max(b)];
+        let mut kept: Vec<[u32; 2]> = given.edges.iter().copied().map(sorted).collect();
+        kept.sort_unstable();
+        let is_kept = |corners: [u32; 3], i: usize| {
+            let ends = [1, 2].map(|j| links.inputs[corners[(i + j) % 3] as usize]);
+            !kept.is_empty() && kept.binary_search(&sorted(ends)).is_ok()
+        };
         let normals: Vec<DVec3> = links.triangles.iter().map(|t| normal(links, *t)).collect();
         let cosine = |degrees: f64| match degrees {
             d if d >= 180.0 => f64::NEG_INFINITY,
@@ -105,9 +123,10 @@ impl FeatureLines {
                     Mark::Given
                 } else {
                     let turn = normals[t as usize].dot(normals[u as usize]);
-                    let group = |t: u32| groups.get(t as usize).copied();
+                    let group = |t: u32| given.groups.get(t as usize).copied();
                     match () {
                         () if group(t) != group(u) => Mark::Given,
+                        () if is_kept(links.triangles[t as usize], i) => Mark::Given,
                         () if turn < sharp => Mark::Sharp,
                         () if turn < weak && !is_off => Mark::Weak,
                         () => Mark::Plain,

@@ -31,7 +31,7 @@ mod surface;
 
 pub use curves::{CurveSpan, FeatureCurve};
 pub use fault::{SurfaceError, SurfaceFault};
-pub use features::FeatureRules;
+pub use features::{FeatureRules, Given};
 pub use nearest::Foot;
 pub use sizes::SizeRules;
 pub use surface::{Spot, Surface};

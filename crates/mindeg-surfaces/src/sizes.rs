@@ -25,6 +25,8 @@ pub struct SizeRules {
 
 /// The greatest distance between an edge and the surface, as a share of the size: thin parts would vanish.
 const CHORD: f64 = 0.15;
+/// Edges on flat parts are at most this many sizes long where they follow the curvature.
+const FLATTEST: f64 = 3.0;
 /// An edge is at most this many times as long as the distance between two curves.
 const BETWEEN: f64 = 1.1;
 /// Two points of curves belong together if the way along curves is at most this many times their distance.
@@ -38,6 +40,11 @@ impl SizeRules {
     /// Edges of one length, where neither curvature nor near features ask for shorter ones: not below a fifth of it.
     pub fn of_size(size: f64) -> Self {
         Self { size, tolerance: CHORD * size, growth: 0.4, least: 0.2 * size }
+    }
+
+    /// The same where the surface bends or features are near; where it is flat, edges are up to three times as long.
+    pub fn by_curvature(size: f64) -> Self {
+        Self { size: FLATTEST * size, ..Self::of_size(size) }
     }
 }
 

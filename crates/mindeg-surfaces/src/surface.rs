@@ -1,12 +1,12 @@
 //! The surface: its triangles with their patches, features and normals.
 
 use glam::DVec3;
-use mindeg_mesh::DisjointSets;
+use mindeg_mesh::{DisjointSets, weld};
 
 use crate::NONE;
 use crate::curves::{CurveSpan, Curves, FeatureCurve, corner_angle};
 use crate::fault::SurfaceError;
-use crate::features::{FeatureRules, features, normal};
+use crate::features::{FeatureRules, Given, features, normal};
 use crate::links::{Links, join_across};
 use crate::nearest::{Foot, PatchTrees};
 
@@ -89,13 +89,54 @@ impl Surface {
         groups: &[u32],
         rules: &FeatureRules,
     ) -> Result<Self, SurfaceError> {
+        Self::keeping(points, triangles, &Given { groups, ..Given::default() }, rules)
+    }
+
+    /// The same with further edges and points that are features.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`new`](Self::new).
+    ///
+    /// # Panics
+    ///
+    /// If there are groups, but not one for each triangle; if a given point does not exist.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use glam::DVec3;
+    /// use mindeg_surfaces::{FeatureRules, Given, Spot, Surface};
+    ///
+    /// // A flat square, whose diagonal is kept, and the middle of one side.
+    /// let points = [(0., 0.), (1., 0.), (2., 0.), (2., 2.), (0., 2.)].map(|(x, y)| DVec3::new(x, y, 0.0));
+    /// let triangles = [[0, 1, 3], [1, 2, 3], [0, 3, 4]];
+    /// let given = Given { edges: &[[3, 0]], corners: &[1], ..Given::default() };
+    /// let surface = Surface::keeping(&points, &triangles, &given, &FeatureRules::default())?;
+    /// assert_eq!((surface.patch_count(), surface.curves().len()), (2, 6));
+    /// assert_eq!(surface.spot(1), Spot::Corner);
+    /// # Ok::<(), mindeg_surfaces::SurfaceError>(())
+    /// ```
+    pub fn keeping(
+        points: &[DVec3],
+        triangles: &[[u32; 3]],
+        given: &Given<'_>,
+        rules: &FeatureRules,
+    ) -> Result<Self, SurfaceError> {
+        let Given { groups, edges, corners } = given;
         assert!(groups.is_empty() || groups.len() == triangles.len(), "a group for each triangle");
         let links = Links::new(points, triangles)?;
-        let bits = features(&links, groups, rules);
-        let curves = Curves::new(&links, &bits, rules);
+        // Vertices know the first of the points with equal coordinates.
+        let is_plain = edges.is_empty() && corners.is_empty();
+        let first = if is_plain { Vec::new() } else { weld(points, 0.0) };
+        let edges: Vec<[u32; 2]> = edges.iter().map(|e| e.map(|v| first[v as usize])).collect();
+        let mut corners: Vec<u32> = corners.iter().map(|v| first[*v as usize]).collect();
+        corners.sort_unstable();
+        let bits = features(&links, &Given { edges: &edges, ..*given }, rules);
+        let curves = Curves::new(&links, &bits, &corners, rules);
         let (patches, patch_count) = patches(&links, &curves);
         let mut of_patch = vec![0; patch_count as usize];
-        for (patch, group) in patches.iter().zip(groups) {
+        for (patch, group) in patches.iter().zip(groups.iter()) {
             of_patch[*patch as usize] = *group;
         }
         let origins = (0..triangles.len() as u32).collect();

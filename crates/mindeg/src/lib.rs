@@ -57,6 +57,7 @@ mod posed;
 mod regions;
 #[cfg(feature = "interior")]
 pub mod remesh;
+pub mod repair;
 mod searched;
 mod trade_off;
 pub mod verify;

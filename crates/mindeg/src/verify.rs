@@ -27,6 +27,7 @@
 //! Limits: a mesh of a domain lies in the plane of x and y, or on the floor, the plane of x and z.
 
 mod defect;
+mod degrees;
 mod fault;
 mod joint;
 mod map;
@@ -35,6 +36,7 @@ mod near;
 mod optimality;
 mod parts;
 mod proof;
+mod rules;
 mod sides;
 mod surface;
 mod triangulation;
@@ -42,9 +44,11 @@ mod triangulation;
 pub use defect::MeshDefect;
 #[cfg(feature = "interior")]
 pub(crate) use defect::short;
+pub use degrees::ProvenDegree;
 pub use matching::{DEFAULT_TOLERANCE, MatchedPlane, VerifiedMesh};
 pub use optimality::{Optimality, checked_proof, optimality, optimality_by};
 pub use parts::triangulations;
 pub use proof::Proof;
-pub use surface::{SurfaceRules, VerifiedSurface, surface};
+pub use rules::SurfaceRules;
+pub use surface::{VerifiedSurface, surface};
 pub use triangulation::triangulation;

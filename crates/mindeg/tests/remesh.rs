@@ -96,3 +96,23 @@ fn wishes_without_a_meaning_and_parts_that_are_no_surface_are_refused() {
         "{error}"
     );
 }
+
+#[test]
+fn reflex_corners_of_a_boundary_have_five_edges_at_most() {
+    // Flat: a letter L, and the head of an arrow.
+    let letter = |corners: &[[f64; 2]], triangles: &[[u32; 3]]| {
+        let points = corners.iter().map(|p| DVec3::new(p[0], p[1], 0.0)).collect();
+        TriMesh::new(points, triangles.to_vec()).unwrap()
+    };
+    let l = letter(
+        &[[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0], [1.0, 2.0], [0.0, 2.0]],
+        &[[0, 1, 2], [0, 2, 3], [0, 3, 5], [3, 4, 5]],
+    );
+    let arrow = letter(&[[0.0, 0.0], [3.0, 1.0], [0.0, 2.0], [1.0, 1.0]], &[[0, 1, 3], [1, 2, 3]]);
+    for (part, size) in [(l, 0.2), (arrow, 0.15)] {
+        let wish = Remesh { size: Some(size), ..Remesh::default() };
+        let found = remesh(&part, &wish, Progress::NONE).unwrap();
+        assert!(found.reached.off_degree.is_empty(), "{:?}", found.reached.off_degree);
+        assert!(found.verified.out_of_range.is_empty(), "{:?}", found.verified.defects);
+    }
+}

@@ -158,3 +158,55 @@ fn degrees_and_kept_edges_are_checked() {
     let loose = SurfaceRules { keep_boundary: false, ..rules };
     assert_eq!(kinds(&verified(&finer, &box_, &loose)), [""; 0]);
 }
+
+/// A regular tetrahedron.
+fn tetrahedron() -> TriMesh {
+    let points = [[0.0; 3], [1.0, 1.0, 0.0], [0.0, 1.0, 1.0], [1.0, 0.0, 1.0]].map(DVec3::from);
+    mesh((points.to_vec(), vec![[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]))
+}
+
+/// Pyramids up and down on a ring of points in turn 1 and `inner` from the middle.
+fn star(points: u32, inner: f64) -> TriMesh {
+    let count = 2 * points;
+    let ring = |i: u32| {
+        let turn = std::f64::consts::TAU * f64::from(i) / f64::from(count);
+        let radius = if i % 2 == 0 { 1.0 } else { inner };
+        DVec3::new(radius * turn.cos(), radius * turn.sin(), 0.0)
+    };
+    let tips = [1.0, -1.0].map(|z| DVec3::new(0.0, 0.0, z));
+    let next = |i: u32| (i + 1) % count;
+    let sides = (0..count).flat_map(|i| [[i, next(i), count], [next(i), i, count + 1]]).collect();
+    mesh(((0..count).map(ring).chain(tips).collect(), sides))
+}
+
+#[test]
+fn corners_prove_degrees_out_of_the_usual_range() {
+    let part = tetrahedron();
+    let rules = SurfaceRules::within(0.0);
+    let found = verified(&part, &part, &rules);
+    assert_eq!((kinds(&found), found.out_of_range.len()), (vec![], 0));
+    let tips: Vec<_> =
+        found.proven.iter().map(|tip| (tip.vertex, tip.degree, tip.allowed)).collect();
+    assert_eq!(tips, [0, 1, 2, 3].map(|v| (v, 3, [3, 3])));
+    assert!(found.proven[0].sectors.iter().all(|angle| (angle - 60.0).abs() < 1e-9));
+    // At 30° a sector of 60° has room for two triangles.
+    let lower = SurfaceRules { least_angle: 30.0, ..rules.clone() };
+    let found = verified(&part, &part, &lower);
+    assert_eq!((kinds(&found), found.proven.len()), (vec!["degree"], 0));
+    // Eight sharp edges at a tip are eight edges; the points of the star have other degrees without reason.
+    let part = star(4, 0.3);
+    let found = verified(&part, &part, &rules);
+    let tips: Vec<_> = found.proven.iter().filter(|tip| tip.degree == 8).collect();
+    assert_eq!(
+        tips.iter().map(|tip| (tip.vertex, tip.allowed)).collect::<Vec<_>>(),
+        [8, 9].map(|v| (v, [8, 8]))
+    );
+    // A vertex at the place of a corner whose sharp edges the mesh lacks.
+    let octahedron = star(2, 1.0);
+    assert_eq!(verified(&octahedron, &octahedron, &rules).proven.len(), 6);
+    let rim = [DVec3::X, DVec3::Y, -DVec3::X, -DVec3::Y].map(|p| p + DVec3::Z);
+    let points = rim.into_iter().chain([DVec3::Z]).collect();
+    let flat = mesh((points, vec![[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]]));
+    let found = verified(&flat, &octahedron, &rules);
+    assert_eq!((found.proven.len(), found.out_of_range.len()), (0, 1));
+}

@@ -1,5 +1,6 @@
 //! `mindeg remesh`.
 
+use super::demands::PresetArgument;
 use super::surface::SurfaceArguments;
 use super::tolerance::Tolerance;
 use super::values::{angle, length, target_angle, whole_number};
@@ -11,14 +12,15 @@ const EXAMPLES: &str = "\
 Examples:
   mindeg remesh part.stl -o part.glb
   mindeg remesh scan.ply -o even.ply --vertices 5000 --feature-angle 180
-  mindeg remesh part.stl -o part.obj --size 2 --tolerance 0.3% --json";
+  mindeg remesh part.stl -o part.obj --size 2 --tolerance 0.3% --json
+  mindeg remesh dirty.stl -o clean.ply --repair --curvature";
 
 /// Mesh a surface in space anew: 5 to 7 edges at every vertex, features kept, the distance proven
 ///
 /// The part is any manifold surface of triangles, closed or open. Its features, which are its boundary, borders between groups and
 /// edges that turn by more than --feature-angle, become curves on which vertices lie; corners stay where they are.
-/// Off the boundary degrees get to 5 to 7, at most 5 on it, and angles near 39 degrees or better. Groups and their materials
-/// stay. How far the surfaces are apart is bounded by code of its own, both ways, and stands in the summary.
+/// Off the boundary degrees get to 5 to 7, at most 5 on it, and angles near 39 degrees or better. Groups, their materials,
+/// lines along edges and named points stay. How far the surfaces are apart is bounded by code of its own, both ways, and stands in the summary.
 ///
 /// With --tolerance, a mesh whose distance is not proven to be within it is not written, and the run ends with exit code
 /// 3; so does one that crosses itself where the part does not, or has a triangle that is turned over.
@@ -57,17 +59,30 @@ pub(crate) struct RemeshArguments {
     #[arg(long)]
     pub(crate) keep_features: bool,
 
+    /// Make edges up to three times as long where the surface is flat
+    #[arg(long)]
+    pub(crate) curvature: bool,
+
+    /// Mend the part first: weld points, drop faces without area or twice and those too many at an edge, turn faces over, fill holes
+    /// with a rim below five sizes. The distance is that from the part after it
+    #[arg(long)]
+    pub(crate) repair: bool,
+
     /// Aim at this minimum angle in degrees, up to 60, instead of 35, and end with exit code 3 if it is not reached
     #[arg(long, value_name = "A", value_parser = target_angle, allow_hyphen_values = true)]
     pub(crate) target_angle: Option<f64>,
+
+    #[command(flatten)]
+    pub(crate) preset: PresetArgument,
 
     /// Write the mesh even if it is not what was demanded; the exit code stays 3
     #[arg(long)]
     pub(crate) write_anyway: bool,
 
     /// Print JSON: file, vertices, triangles, size, tolerance, diagonal, degrees, boundary_degrees, off_degree (vertex, point,
-    /// degree, on_boundary, curves), min_angle, min_angle_triangle, corner_limits (vertex, point, sectors, limit), curves, corners,
+    /// degree, on_boundary, curves), proven (vertex, degree, allowed, sectors), min_angle, min_angle_triangle, corner_limits (vertex, point, sectors, limit), curves, corners,
     /// patches, to_part, from_part, curves_to_part, curves_from_part (at_least, at_most, place), crossings, part_crossings,
+    /// repairs (welded_points, flat_faces, doubled_faces, crowded_faces, turned_faces, split_points, filled_holes, fill_faces),
     /// dropped, defects (kind, message), files
     #[arg(long)]
     pub(crate) json: bool,

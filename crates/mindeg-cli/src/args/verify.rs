@@ -27,7 +27,7 @@ Examples:
 /// possible. The mesh lies in x and y, or in x and z. Ends with exit code 3 if the mesh is no triangulation, or fails
 /// one of the options --max-degree, --target-angle, --keep-angle, --optimal and --preset, or a degree limit of the domain.
 ///
-/// With --surface, the mesh is a remesh in space: all vertices off the boundary have 5 to 7 edges, those on it at most 5, no
+/// With --surface, the mesh is a remesh in space: all vertices off the boundary have 5 to 7 edges, those on it at most 5, unless a corner proves another degree, no
 /// point of one surface is farther from the other than --tolerance (a bound that is proven, not sampled), boundaries
 /// likewise, the surface is manifold, and no triangle is turned over or crosses another unless the part has crossings.
 #[derive(Debug, Args)]
@@ -71,8 +71,8 @@ pub(crate) struct VerifyArguments {
     /// given_points, interior_points, unreferenced_vertices, triangles, max_degree, max_degree_vertex, out_of_range,
     /// certified, optimal, proof, reason, smaller_degree, min_angle, max_angle, min_angle_triangle, angle_limit, share_of_limit,
     /// failed, passed; for several domains file, valid, parts, failed, passed; with --surface file, part, valid, defects,
-    /// vertices, triangles, degrees, boundary_degrees, out_of_range, min_angle, min_angle_triangle, tolerance, diagonal,
-    /// to_part, from_part, boundary_to_part, boundary_from_part, features_from_part, crossings, part_crossings, failed, passed
+    /// vertices, triangles, degrees, boundary_degrees, out_of_range, proven (vertex, degree, allowed, sectors), min_angle,
+    /// min_angle_triangle, tolerance, diagonal, to_part, from_part, boundary_to_part, boundary_from_part, features_from_part, crossings, part_crossings, failed, passed
     #[arg(long)]
     pub(crate) json: bool,
 

@@ -15,7 +15,9 @@ pub(super) fn run(arguments: &VerifyArguments, part: &Path) -> Result<(), Failur
     let mesh = read_mesh(&arguments.file, None, &bar)?;
     let of_part = read_mesh(part, None, &bar)?;
     let surface = &arguments.surface;
+    let of_corners = SurfaceRules::within(0.0).least_angle;
     let rules = SurfaceRules {
+        least_angle: arguments.demands.demands().target_angle.unwrap_or(of_corners),
         feature_angle: surface.feature_angle.or(surface.keep_features.then_some(40.0)),
         keep_boundary: surface.keep_boundary,
         keep_features: surface.keep_features,

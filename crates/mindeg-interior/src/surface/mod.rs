@@ -15,7 +15,7 @@ mod work;
 
 pub use remeshed::{
     CornerLimit, OffDegree, RemeshError, RemeshOptions, RemeshReport, Remeshed, RemeshedCurve,
-    remesh,
+    improve_surface, remesh,
 };
 #[cfg(test)]
 pub(crate) use {reference::OnSurface, reference::Reference, work::work_mesh};

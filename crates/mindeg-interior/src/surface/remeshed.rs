@@ -11,6 +11,7 @@ use crate::surface::reference::Reference;
 use crate::surface::sectors::Sectors;
 use crate::surface::work::{SurfaceMesh, compacted, work_mesh};
 use crate::triangle::min_angle;
+use crate::verdict::floor as floor_of;
 use glam::DVec3;
 use mindeg_mesh::{Cancelled, Progress};
 use mindeg_surfaces::{SizeRules, Surface};
@@ -24,6 +25,8 @@ pub struct RemeshOptions {
     /// How far the mesh and the surface may be from each other, in units of length: the aim of the search, which samples
     /// distances and proves no bound. `None`: a fifth of the size.
     pub tolerance: Option<f64>,
+    /// True if edges become up to three times as long where the surface is flat.
+    pub curvature: bool,
     /// The minimum angle aimed at, in degrees. `None`: 35.
     pub target_angle: Option<f64>,
     /// True if the points of the boundary stay bit for bit, and no others come between them.
@@ -75,8 +78,7 @@ pub struct OffDegree {
 /// What was reached.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RemeshReport {
-    /// The vertices with fewer than 5 or more than 7 edges, and those on the boundary with more than 5, or than
-    /// 2 + angle / 60 degrees at reflex corners.
+    /// The vertices with fewer than 5 or more than 7 edges, and those on the boundary with more than 5.
     pub off_degree: Vec<OffDegree>,
     /// The minimum angle, in degrees, and where it is.
     pub min_angle: f64,
@@ -174,7 +176,10 @@ pub fn remesh(
             "size {size} and tolerance {tolerance} must be positive lengths, and the target angle {floor} between 0 and 60"
         )));
     }
-    let mut rules = SizeRules::of_size(size);
+    let mut rules = match options.curvature {
+        true => SizeRules::by_curvature(size),
+        false => SizeRules::of_size(size),
+    };
     rules.tolerance = rules.tolerance.min(tolerance);
     let mut stage = Stage::new(progress, "meshing the surface");
     stage.section(0.1);
@@ -191,15 +196,63 @@ pub fn remesh(
     let start = if keeps { surface } else { &reference.surface };
     let mesh = work_mesh(&reference, start, &single).map_err(RemeshError::BadMesh)?;
     stage.section(0.5);
-    let mut mesh = passes(mesh, &single, &mut stage)?.map_err(RemeshError::BadMesh)?;
+    let mesh = passes(mesh, &single, &mut stage)?.map_err(RemeshError::BadMesh)?;
     stage.section(0.8);
-    optimise(&mut mesh, &single, None, &mut stage)?;
+    searched(mesh, &wanted, floor, &mut stage)
+}
+
+/// Improves a mesh whose edges have their lengths already: degrees count over all patches, and angles. No edge of a curve
+/// changes, and what is a corner or on a curve stays.
+///
+/// # Errors
+///
+/// If `progress` breaks.
+///
+/// # Example
+///
+/// ```
+/// use glam::DVec3;
+/// use mindeg_interior::{Options, improve_surface};
+/// use mindeg_mesh::Progress;
+/// use mindeg_surfaces::{FeatureRules, Surface};
+///
+/// // A square with a point in the middle, which has too few edges; the boundary does not allow more.
+/// let points = [(0., 0.), (1., 0.), (1., 1.), (0., 1.), (0.4, 0.4)].map(|(x, y)| DVec3::new(x, y, 0.0));
+/// let triangles = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]];
+/// let surface = Surface::new(&points, &triangles, &[], &FeatureRules::default())?;
+/// let found = improve_surface(&surface, &Options::default(), Progress::NONE)?;
+/// assert!(points[..4].iter().all(|corner| found.points.contains(corner)));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn improve_surface(
+    surface: &Surface,
+    options: &Options,
+    progress: Progress<'_>,
+) -> Result<Remeshed, RemeshError> {
+    let (size, floor) = (mean_edge(surface), floor_of(options));
+    let is_kept = vec![true; surface.curves().len()];
+    let reference = Reference::new(surface.clone(), size, TOLERANCE * size, is_kept);
+    let single = Weights::single(options, floor);
+    let mesh = work_mesh(&reference, surface, &single).map_err(RemeshError::BadMesh)?;
+    let mut stage = Stage::new(progress, "joining faces");
+    stage.section(0.7);
+    searched(mesh, options, floor, &mut stage)
+}
+
+/// The search for degrees and angles by single operations, then by pairs.
+fn searched(
+    mut mesh: SurfaceMesh<'_>,
+    wanted: &Options,
+    floor: f64,
+    stage: &mut Stage<'_>,
+) -> Result<Remeshed, RemeshError> {
+    optimise(&mut mesh, &Weights::single(wanted, floor), None, stage)?;
     mesh = compacted(&mesh).map_err(RemeshError::BadMesh)?;
     stage.section(1.0);
-    let angles = Weights::pairs(&wanted, floor);
+    let angles = Weights::pairs(wanted, floor);
     let pairs = Pairs { vertices: 150, firsts: 6, trials: 0, most: 30_000 };
     if !is_done(&mesh, &angles) {
-        optimise(&mut mesh, &angles, Some(pairs), &mut stage)?;
+        optimise(&mut mesh, &angles, Some(pairs), stage)?;
         mesh = compacted(&mesh).map_err(RemeshError::BadMesh)?;
     }
     mesh.check().map_err(RemeshError::BadMesh)?;
@@ -233,13 +286,7 @@ fn remeshed(mesh: &SurfaceMesh<'_>, floor: f64) -> Remeshed {
         let sectors = Sectors::of(mesh, v);
         let is_boundary = !sectors.is_closed;
         let degree = vertex.triangles + u32::from(is_boundary);
-        let angle: f64 = sectors.sectors.iter().map(|sector| sector.angle).sum();
-        let most = match is_boundary {
-            true if angle > 180.0 => (2.0 + libm::round(angle / 60.0)).max(5.0) as u32,
-            true => 5,
-            false => 7,
-        };
-        let least = if is_boundary { 2 } else { 5 };
+        let [least, most] = if is_boundary { [2, 5] } else { [5, 7] };
         let at = vertex.at.at;
         if degree > most || degree < least {
             let edges = sectors.sectors.len() as u32 + u32::from(is_boundary);

@@ -23,6 +23,8 @@ pub(crate) struct Sectors {
 
 /// A good angle at a corner is at least this, in degrees: more triangles do not fit into a sector.
 const LEAST_ANGLE: f64 = 28.0;
+/// The most triangles at a vertex on the boundary, where its sectors allow so few.
+const MOST_ON_BOUNDARY: u32 = 4;
 /// The greatest angle that a sector's triangles should have, in degrees.
 const GREATEST_ANGLE: f64 = 100.0;
 
@@ -79,11 +81,9 @@ impl Sectors {
             let off = (f64::from(sector.triangles) - sector.angle / 60.0).abs() - 0.5;
             soft += off.max(0.0);
         }
-        if self.is_closed {
-            let total = self.sectors.iter().map(|sector| sector.triangles).sum();
-            excess += beyond(total, &self.total(kind, interior));
-        }
-        (excess, soft)
+        let total = self.sectors.iter().map(|sector| sector.triangles).sum();
+        let range = if self.is_closed { self.total(kind, interior) } else { self.on_boundary() };
+        (excess + beyond(total, &range), soft)
     }
 
     /// No mesh has a greater minimum angle in these sectors, in degrees: each has the best number of equal angles.
@@ -108,6 +108,12 @@ impl Sectors {
             [low, libm::floor(sector.angle / least + 1e-9)].map(|count| count as u32)
         });
         counts.fold([0, 0], |[low, high], count| [low + count[0], high + count[1]])
+    }
+
+    /// How many triangles a vertex on the boundary may have: 4, which have 5 edges, unless its sectors need more.
+    pub(crate) fn on_boundary(&self) -> RangeInclusive<u32> {
+        let needed: u32 = self.sectors.iter().map(|sector| *sector.range().start()).sum();
+        1..=needed.max(MOST_ON_BOUNDARY)
     }
 
     /// How many triangles a vertex may have that is not on the boundary.
@@ -176,6 +182,10 @@ mod tests {
         // On the boundary at most 5 edges.
         assert_eq!(excess(Kind::Curve, &[(180.0, 4)], false), 0);
         assert_eq!(excess(Kind::Curve, &[(180.0, 5)], false), 1);
+        // A reflex corner has 4 triangles, too, and one between five sectors 5.
+        assert_eq!(excess(Kind::Fixed, &[(330.0, 4)], false), 0);
+        assert_eq!(excess(Kind::Fixed, &[(330.0, 5)], false), 1);
+        assert_eq!(excess(Kind::Fixed, &[(60.0, 1); 5], false), 0);
         // The corner of a cube has 5 or 6 triangles, one or two or three in a sector.
         assert_eq!(excess(Kind::Fixed, &[(90.0, 2), (90.0, 2), (90.0, 1)], true), 0);
         assert_eq!(excess(Kind::Fixed, &[(90.0, 1), (90.0, 1), (90.0, 1)], true), 2);

@@ -20,7 +20,7 @@ pub(super) struct Sides {
 
 impl Sides {
     pub(super) fn of(mesh: &TriMesh) -> Self {
-        let mesh = mesh.welded(0.0);
+        let mesh = mesh.welded(0.0).with_groups(mesh.groups().to_vec());
         let corners: Vec<[DVec3; 3]> =
             mesh.triangles().iter().map(|t| t.map(|v| mesh.positions()[v as usize])).collect();
         let normal = |t: u32| {
@@ -58,15 +58,24 @@ impl Sides {
         edges.iter().map(|&[a, b]| [at(a), at(b), at(b)]).collect()
     }
 
-    /// An edge by the bits of its points, in 32 bits if a file of 32-bit numbers is compared.
+    /// A vertex by the bits of its point, in 32 bits if a file of 32-bit numbers is compared.
+    pub(super) fn place(&self, vertex: u32, is_single: bool) -> [u64; 3] {
+        // Adding zero turns -0 into 0.
+        let at = (self.mesh.positions()[vertex as usize] + DVec3::ZERO).to_array();
+        at.map(|x| if is_single { u64::from((x as f32).to_bits()) } else { x.to_bits() })
+    }
+
+    /// An edge by the places of its ends.
     fn key(&self, edge: [u32; 2], is_single: bool) -> [[u64; 3]; 2] {
-        let mut ends = edge.map(|v| {
-            // Adding zero turns -0 into 0.
-            let at = (self.mesh.positions()[v as usize] + DVec3::ZERO).to_array();
-            at.map(|x| if is_single { u64::from((x as f32).to_bits()) } else { x.to_bits() })
-        });
+        let mut ends = edge.map(|v| self.place(v, is_single));
         ends.sort_unstable();
         ends
+    }
+
+    /// The unit normal of a triangle.
+    pub(super) fn normal(&self, triangle: u32) -> DVec3 {
+        let [a, b, c] = self.corners[triangle as usize];
+        (b - a).cross(c - a).normalize_or_zero()
     }
 }
 

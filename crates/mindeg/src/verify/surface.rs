@@ -3,7 +3,7 @@
 //! Nothing here is shared with what makes such meshes: topology is that of [`mindeg_mesh::inspection`], distances are
 //! bounded by [`mindeg_mesh::distance`], crossings found by [`mindeg_mesh::crossing`].
 
-use std::ops::RangeInclusive;
+use std::collections::BTreeSet;
 
 use glam::DVec3;
 use mindeg_mesh::crossing::crossings;
@@ -14,53 +14,12 @@ use mindeg_mesh::quality::TriangleQuality;
 use mindeg_mesh::{Bounds, BoxTree, Cancelled, Progress, TriMesh};
 
 use super::defect::{MeshDefect, in_space, short};
+use super::degrees::{Degrees, ProvenDegree};
+use super::rules::SurfaceRules;
 use super::sides::{Sides, check_kept};
 
 /// Distances below this share of the part's diagonal count as none.
 const NOTHING: f64 = 1e-8;
-
-/// What a mesh must keep of a part.
-///
-/// # Example
-///
-/// ```
-/// use mindeg::verify::SurfaceRules;
-///
-/// let rules = SurfaceRules::within(0.25);
-/// assert_eq!((rules.inside, rules.boundary_degree), (5..=7, 5));
-/// ```
-#[derive(Clone, Debug, PartialEq)]
-pub struct SurfaceRules {
-    /// How far a point of one surface may be from the other, in units of length. Distances below a hundred-millionth of
-    /// the part's diagonal count as none.
-    pub tolerance: f64,
-    /// The degrees of vertices off the boundary.
-    pub inside: RangeInclusive<u32>,
-    /// The most edges at a vertex on the boundary.
-    pub boundary_degree: u32,
-    /// Edges of the part that turn by more than this angle, in degrees, must have edges of the mesh within the
-    /// tolerance that turn by more than half of it; `None` demands nothing of sharp edges.
-    pub feature_angle: Option<f64>,
-    /// Whether the edges of the boundary must be those of the part, bit for bit.
-    pub keep_boundary: bool,
-    /// Whether the sharp edges of the part must be edges of the mesh, bit for bit. Takes a `feature_angle`.
-    pub keep_features: bool,
-}
-
-impl SurfaceRules {
-    /// Degrees 5 to 7, at most 5 on the boundary, and a tolerance both ways.
-    #[must_use]
-    pub fn within(tolerance: f64) -> Self {
-        Self {
-            tolerance,
-            inside: 5..=7,
-            boundary_degree: 5,
-            feature_angle: None,
-            keep_boundary: false,
-            keep_features: false,
-        }
-    }
-}
 
 /// The figures of a mesh beside the part it was made from. Vertices and triangles have the indices of the mesh.
 #[derive(Clone, Debug, PartialEq)]
@@ -75,6 +34,9 @@ pub struct VerifiedSurface {
     pub boundary: Option<[u32; 2]>,
     /// The vertices with another degree than the rules ask for, ascending.
     pub out_of_range: Vec<VertexDegree>,
+    /// The vertices with a degree that is proven to be as it should at a corner of the part, though out of the range of
+    /// the others, ascending.
+    pub proven: Vec<ProvenDegree>,
     /// The minimum angle, in degrees, and its triangle.
     pub min_angle: (f64, u32),
     /// How far points of the mesh are from the part.
@@ -130,8 +92,8 @@ pub fn surface(
                 .map_or(0.0, |bounds| bounds.size().length());
     let mut defects = Vec::new();
     let inspection = Inspection::of(&own.mesh, &InspectionOptions::default());
-    check_topology(&inspection, &mut defects);
-    let degrees = Degrees::of(own, rules);
+    check_topology(&inspection, [own, part], is_single, &mut defects);
+    let degrees = Degrees::of(own, part, rules, is_single);
     degrees.check(own, rules, &mut defects);
 
     let to_part = distance_bound(&own.corners, &part.corners, progress)?;
@@ -222,6 +184,7 @@ pub fn surface(
         inside: degrees.inside,
         boundary: degrees.boundary,
         out_of_range: degrees.out_of_range,
+        proven: degrees.proven,
         min_angle: min_angle(own),
         to_part,
         from_part,
@@ -237,7 +200,12 @@ fn largest(mesh: &TriMesh) -> f64 {
     mesh.positions().iter().map(|p| p.abs().max_element()).fold(0.0, f64::max)
 }
 
-fn check_topology(inspection: &Inspection, defects: &mut Vec<MeshDefect>) {
+fn check_topology(
+    inspection: &Inspection,
+    [own, part]: [&Sides; 2],
+    is_single: bool,
+    defects: &mut Vec<MeshDefect>,
+) {
     let mut defect = |kind, count: usize, what: &str| {
         if count > 0 {
             defects.push(MeshDefect::new(kind, format!("{count} {what}")));
@@ -253,69 +221,19 @@ fn check_topology(inspection: &Inspection, defects: &mut Vec<MeshDefect>) {
     let Inspection { non_manifold_edges, inconsistent_edges, .. } = inspection;
     let what = format!("edges have three triangles or more{}", edge(non_manifold_edges));
     defect("not_manifold", non_manifold_edges.len(), &what);
-    let fans = &inspection.non_manifold_vertices;
-    defect("not_manifold", fans.len(), &format!("vertices have several fans{}", first(fans)));
+    let mut fans = inspection.non_manifold_vertices.clone();
+    if !fans.is_empty() {
+        // Where the part touches itself in a point, so does the mesh.
+        let of_part = Inspection::of(&part.mesh, &InspectionOptions::default());
+        let places = of_part.non_manifold_vertices.iter();
+        let touches: BTreeSet<_> = places.map(|v| part.place(*v, is_single)).collect();
+        fans.retain(|v| !touches.contains(&own.place(*v, is_single)));
+    }
+    defect("not_manifold", fans.len(), &format!("vertices have several fans{}", first(&fans)));
     let what = format!("edges have triangles that face opposite ways{}", edge(inconsistent_edges));
     defect("inconsistent", inconsistent_edges.len(), &what);
     let flat = &inspection.zero_area_triangles;
     defect("no_area", flat.len(), &format!("triangles have no area{}", first(flat)));
-}
-
-/// The degrees of a mesh.
-struct Degrees {
-    /// The vertices with an edge.
-    vertices: usize,
-    inside: Option<[u32; 2]>,
-    boundary: Option<[u32; 2]>,
-    out_of_range: Vec<VertexDegree>,
-}
-
-impl Degrees {
-    fn of(sides: &Sides, rules: &SurfaceRules) -> Self {
-        let mut on_boundary = vec![false; sides.mesh.positions().len()];
-        sides.boundary.iter().flatten().for_each(|&v| on_boundary[v as usize] = true);
-        let mut degrees = vec![0_u32; on_boundary.len()];
-        sides.edges.iter().flatten().for_each(|&v| degrees[v as usize] += 1);
-        let mut found =
-            Self { vertices: 0, inside: None, boundary: None, out_of_range: Vec::new() };
-        for ((vertex, degree), on_boundary) in (0..).zip(degrees).zip(on_boundary) {
-            if degree == 0 {
-                continue;
-            }
-            found.vertices += 1;
-            let range = if on_boundary { &mut found.boundary } else { &mut found.inside };
-            let [least, most] = range.unwrap_or([degree; 2]);
-            *range = Some([least.min(degree), most.max(degree)]);
-            let is_good = match on_boundary {
-                true => degree <= rules.boundary_degree,
-                false => rules.inside.contains(&degree),
-            };
-            if !is_good {
-                found.out_of_range.push(VertexDegree { vertex, degree, on_boundary });
-            }
-        }
-        found
-    }
-
-    fn check(&self, sides: &Sides, rules: &SurfaceRules, defects: &mut Vec<MeshDefect>) {
-        for on_boundary in [false, true] {
-            let of_kind = || self.out_of_range.iter().filter(|v| v.on_boundary == on_boundary);
-            let Some(VertexDegree { vertex, degree, .. }) = of_kind().next() else { continue };
-            let (place, range) = match on_boundary {
-                true => ("on the boundary", format!("at most {}", rules.boundary_degree)),
-                false => (
-                    "off the boundary",
-                    format!("{} to {}", rules.inside.start(), rules.inside.end()),
-                ),
-            };
-            let message = format!(
-                "{} vertices {place} have another degree than {range}, the first is vertex {vertex} with {degree}, at {}",
-                of_kind().count(),
-                in_space(sides.mesh.positions()[*vertex as usize])
-            );
-            defects.push(MeshDefect::new("degree", message));
-        }
-    }
 }
 
 /// A triangle is turned over if no triangle of the part near its middle faces the same way.
