@@ -1,7 +1,9 @@
 //! The rules that programs have for a mesh.
 
 use crate::numbers::{four_digits, steady_angle};
+use mindeg::glam::DVec3;
 use mindeg_mesh::TriMesh;
+use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
 /// The rules of a program.
@@ -11,11 +13,17 @@ pub struct PresetRules {
     pub name: &'static str,
     /// The program, its rules and their source.
     pub description: &'static str,
-    interior_triangles: Option<RangeInclusive<u32>>,
+    least_interior_triangles: Option<u32>,
     most_triangles: Option<u32>,
     most_edges: Option<u32>,
     angles: Option<RangeInclusive<f64>>,
     area_ratio: Option<f64>,
+    /// The longest side over the radius of the circle of the same area.
+    most_skewness: Option<f64>,
+    /// Each triangle has a corner inside.
+    corner_inside: bool,
+    /// Triangles are counter-clockwise and have an area.
+    counter_clockwise: bool,
 }
 
 /// A program whose rules a mesh is to keep.
@@ -24,20 +32,54 @@ pub type Preset = &'static PresetRules;
 const NOTHING: PresetRules = PresetRules {
     name: "",
     description: "",
-    interior_triangles: None,
+    least_interior_triangles: None,
     most_triangles: None,
     most_edges: None,
     angles: None,
     area_ratio: None,
+    most_skewness: None,
+    corner_inside: false,
+    counter_clockwise: false,
 };
 
 /// All presets.
-pub static PRESETS: [PresetRules; 4] = [
+pub static PRESETS: [PresetRules; 8] = [
+    PresetRules {
+        name: "adcirc",
+        description: "ADCIRC (tides, storm surge): triangles counter-clockwise, with an area. Source: the \
+                      element table of fort.14 in ADCIRC's manual, which sets no limit on degrees",
+        counter_clockwise: true,
+        ..NOTHING
+    },
+    PresetRules {
+        name: "anuga",
+        description: "ANUGA (floods, tsunamis): triangles counter-clockwise, with an area. Source: \
+                      general_mesh.py of anuga_core",
+        counter_clockwise: true,
+        ..NOTHING
+    },
+    PresetRules {
+        name: "schism",
+        description: "SCHISM (ocean): skewness at most 60, the longest side over the radius of the circle of \
+                      the same area; areas of at least 1 m² are not checked. Source: SCHISM's manual, \
+                      typical-workflow.md and grid-generation.md",
+        most_skewness: Some(60.0),
+        ..NOTHING
+    },
     PresetRules {
         name: "swan",
-        description: "SWAN (waves): 4 to 10 triangles at each interior vertex; its limit on large angles is \
-                      not checked. Source: SWAN's technical manual, swanmodel.sourceforge.io, node88.html",
-        interior_triangles: Some(4..=10),
+        description: "SWAN (waves): at least 4 triangles at each interior vertex, at most 10 at any, angles \
+                      below 143.13°. Source: SwanCheckGrid of SWAN, and its technical manual, node88.html",
+        least_interior_triangles: Some(4),
+        most_triangles: Some(10),
+        angles: Some(0.0..=143.13),
+        ..NOTHING
+    },
+    PresetRules {
+        name: "telemac",
+        description: "TELEMAC (rivers, coasts): no triangle has all its corners on the boundary. Source: \
+                      STBTEL's user manual, overstressed triangles",
+        corner_inside: true,
         ..NOTHING
     },
     PresetRules {
@@ -93,10 +135,10 @@ impl PresetRules {
                     broken.push(format!("vertex {index} has {}{what}{count}", of(vertex)));
                 }
             };
-        if let Some(range) = &self.interior_triangles {
+        if let Some(least) = self.least_interior_triangles {
             vertex(
-                &|v| !v.is_boundary && !range.contains(&v.triangles),
-                &format!(" triangles, outside {} to {}", range.start(), range.end()),
+                &|v| !v.is_boundary && v.triangles < least,
+                &format!(" triangles, below {least}"),
                 &|v| v.triangles,
             );
         }
@@ -124,6 +166,31 @@ impl PresetRules {
                 ));
             }
         }
+        let corners = |index: usize| triangles[index].map(|v| mesh.positions()[v as usize]);
+        let mut first = |is_bad: &dyn Fn(usize) -> bool, what: String| {
+            let index = (0..triangles.len()).find(|&index| is_bad(index));
+            broken.extend(index.map(|index| format!("triangle {index} {what}")));
+        };
+        if let Some(most) = self.most_skewness {
+            first(
+                &|index| skewness(corners(index)) > most,
+                format!("has a skewness above {most}; an angle near 0° or 180° makes it"),
+            );
+        }
+        if self.corner_inside {
+            let on_boundary = |v: &u32| vertices.0[*v as usize].is_boundary;
+            first(
+                &|index| triangles[index].iter().all(on_boundary),
+                "has all its corners on the boundary; divide it by a point, or flip the edge that cuts it off"
+                    .to_owned(),
+            );
+        }
+        if self.counter_clockwise {
+            first(
+                &|index| turned_area(corners(index)) <= 0.0,
+                "is not counter-clockwise, or has no area".to_owned(),
+            );
+        }
         if let Some(most) = self.area_ratio
             && let Some((ratio, [a, b])) = area_ratio(mesh)
             && ratio > most
@@ -135,6 +202,17 @@ impl PresetRules {
         }
         broken
     }
+}
+
+/// Twice the area of a triangle of the plane, seen along the z axis; negative if it is clockwise.
+fn turned_area([a, b, c]: [DVec3; 3]) -> f64 {
+    (b - a).truncate().perp_dot((c - a).truncate())
+}
+
+/// The longest side over the radius of the circle of the same area.
+fn skewness([a, b, c]: [DVec3; 3]) -> f64 {
+    let longest = [a - b, b - c, c - a].map(|side| side.length()).into_iter().fold(0.0, f64::max);
+    longest / ((b - a).cross(c - a).length() / 2.0 / PI).sqrt()
 }
 
 /// The counts of triangles and edges at a vertex.
@@ -212,10 +290,14 @@ mod tests {
     #[test]
     fn presets_name_what_breaks_them() {
         for (name, corners, broken) in [
-            ("swan", 3, "vertex 0 has 3 triangles, outside 4 to 10"),
+            ("swan", 3, "vertex 0 has 3 triangles, below 4"),
             ("swan", 4, ""),
             ("swan", 10, ""),
-            ("swan", 11, "vertex 0 has 11 triangles, outside 4 to 10"),
+            ("swan", 11, "vertex 0 has 11 triangles, above 10"),
+            ("adcirc", 3, ""),
+            ("anuga", 3, ""),
+            ("telemac", 3, ""),
+            ("schism", 60, ""),
             ("fvcom", 8, ""),
             ("fvcom", 9, "vertex 0 has 9 triangles, above 8"),
             ("qmap", 6, ""),
@@ -229,6 +311,28 @@ mod tests {
             let same = found == expected || corners == 60 && found.starts_with(&expected);
             assert!(same, "{found}");
         }
+    }
+
+    #[test]
+    fn triangles_are_named_that_a_model_cannot_take() {
+        let mesh = |third: [f64; 2]| {
+            let points = [[0.0, 0.0], [1.0, 0.0], third].map(|[x, y]| DVec3::new(x, y, 0.0));
+            TriMesh::new(points.to_vec(), vec![[0, 1, 2]]).unwrap()
+        };
+        let broken = |name: &str, third| preset(name).broken_by(&mesh(third)).unwrap_or_default();
+        for (name, third, said) in [
+            ("telemac", [0.0, 1.0], "triangle 0 has all its corners on the boundary"),
+            ("anuga", [0.0, -1.0], "triangle 0 is not counter-clockwise"),
+            ("adcirc", [0.5, 0.0], "triangle 0 is not counter-clockwise, or has no area"),
+            // Twice pi over the height is the square of the skewness.
+            ("schism", [0.5, 0.001], "triangle 0 has a skewness above 60"),
+            ("swan", [0.5, 0.166], "triangle 0 has angles from"),
+        ] {
+            assert!(broken(name, third).contains(said), "{name}: {}", broken(name, third));
+        }
+        assert_eq!(broken("schism", [0.5, 0.002]), "");
+        assert_eq!(broken("swan", [0.5, 0.167]), "");
+        assert_eq!(broken("anuga", [0.0, 1.0]), "");
     }
 
     #[test]
