@@ -124,6 +124,12 @@ impl Format {
         self.facts().has_boundary
     }
 
+    /// Whether the format holds meshes in the plane alone.
+    #[must_use]
+    pub fn is_planar(self) -> bool {
+        self.facts().in_plane
+    }
+
     /// The format that the extension of a file name asks for, in upper or lower case.
     ///
     /// # Example

@@ -1,6 +1,6 @@
 //! Triangle meshes in and out of files.
 //!
-//! Twenty formats, each a module with reader and writer side by side: surfaces ([`obj`], [`gltf`],
+//! Each format is a module with reader and writer side by side: surfaces ([`obj`], [`gltf`],
 //! [`glb`], [`ply`], [`stl`], [`off`]), solver files ([`msh`], [`vtu`], [`vtk`], [`su2`], [`inp`],
 //! [`triangle`], [`fort14`], [`slf`], UGRID, [`sms2dm`]), arrays of numpy ([`npz`]), maps (GeoJSON), and pictures ([`svg`], [`png`]).
 //! [`Format`] lists them; [`read()`] and [`Writer`] choose among them. Every reader gives a
