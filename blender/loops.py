@@ -16,8 +16,9 @@ def loops_of(edges):
         beside.setdefault(b, []).append(a)
     wrong = next((vertex for vertex, others in beside.items() if len(others) != 2), None)
     if wrong is not None:
+        count = len(beside[wrong])
         raise ValueError(
-            f"vertex {wrong} has {len(beside[wrong])} selected edges; select closed loops, with 2 at each vertex"
+            f"vertex {wrong} has {count} selected edge{'' if count == 1 else 's'}; select closed loops, with 2 at each vertex"
         )
     loops, seen = [], set()
     for start in beside:
@@ -31,6 +32,37 @@ def loops_of(edges):
             previous, vertex = vertex, (b if a == previous else a)
         loops.append(loop)
     return loops
+
+
+def directed_loops(edges):
+    """The closed loops of edges (from, to), taken apart where they touch; edges that form none are left out."""
+    after = {}
+    for a, b in edges:
+        after.setdefault(a, []).append(b)
+    loops = []
+    for start in list(after):
+        while after[start]:
+            path, place = [start], {start: 0}
+            while after.get(path[-1]):
+                vertex = after[path[-1]].pop()
+                if vertex in place:
+                    loops.append(path[place[vertex] :])
+                    for gone in path[place[vertex] + 1 :]:
+                        del place[gone]
+                    del path[place[vertex] + 1 :]
+                else:
+                    place[vertex] = len(path)
+                    path.append(vertex)
+    return loops
+
+
+def is_rim(points, normals):
+    """Whether a loop, in the direction of the faces along it, bounds a flat sheet all round: to fill it would lay triangles
+    on these faces. ``normals`` are theirs.
+    """
+    points, normals = np.asarray(points, dtype=float), np.asarray(normals, dtype=float)
+    _, axes, off = plane_of(points)
+    return bool(off <= PLANAR * np.ptp(points, axis=0).max() and (normals @ np.cross(*axes)).min() > 1 - PLANAR)
 
 
 def plane_of(points):
@@ -51,7 +83,7 @@ def plane_of(points):
 
 
 def nested(rings):
-    """The rings in groups, by their numbers: an outer one, then those in its plane and inside it, which are its holes."""
+    """The rings in groups, by their indices: an outer one, then those in its plane and inside it, which are its holes."""
     rings = [np.asarray(ring, dtype=float) for ring in rings]
     planes = [plane_of(ring) for ring in rings]
     inside = [
@@ -80,26 +112,62 @@ def _holds(outer, plane, ring):
     return bool(right.sum() % 2)
 
 
-def fill(rings, *, external=None, excluded=(), interior=False, **goal):
-    """Triangles for a ring of points in space and its holes: new points, triangles, and a line that says what was reached.
+class Patch:
+    """What one polygon or loop is filled with."""
 
-    A planar ring is meshed as a polygon, any other as a loop in space. ``goal`` is for ``Domain.mesh``. ``external`` are the edges at each vertex without those
-    of the filling; limits count them.
+    def __init__(self, names, rings):
+        #: The vertices of the rings by the names that the caller knows, one ring after the other.
+        self.names = names
+        self.rings = rings
+        #: Points inside, and triangles of the indices of ``names``, then of these points.
+        self.new, self.triangles = [], []
+        self.degree, self.min_angle = 0, 180.0
+        #: What else there is to say: a bound, or why the patch has no triangles.
+        self.words, self.fault = "", None
+
+
+def fill_all(patches, edges, **wanted):
+    """Fills patches one after the other; the edges that one adds count for those after it. ``edges`` are pairs of names."""
+    beside = {}
+    for a, b in edges:
+        beside.setdefault(a, set()).add(b)
+        beside.setdefault(b, set()).add(a)
+    for patch in patches:
+        names = patch.names
+        index = {name: place for place, name in enumerate(names)}
+        external = [len(beside.get(name, ())) for name in names]
+        excluded = [[place, index[other]] for name, place in index.items() for other in beside.get(name, ()) if index.get(other, -1) > place]
+        try:
+            fill(patch, external, excluded, **wanted)
+        except ValueError as error:
+            patch.fault = str(error)
+            continue
+        for corners in patch.triangles:
+            for a, b in zip(corners, [*corners[1:], corners[0]]):
+                if max(a, b) < len(names):
+                    beside.setdefault(names[a], set()).add(names[b])
+                    beside.setdefault(names[b], set()).add(names[a])
+
+
+def fill(patch, external, excluded, *, interior=False, keep_angle=None, max_degree=None, **goal):
+    """Triangles for a ring of points in space and its holes.
+
+    A planar ring is meshed as a polygon, any other as a loop in space, for which there is no Delaunay triangulation whose angle could be
+    kept. ``external`` are the edges at each vertex without those of the filling; limits count them.
     """
-    rings = [np.asarray(ring, dtype=float) for ring in rings]
+    rings = [np.asarray(ring, dtype=float) for ring in patch.rings]
     points = np.concatenate(rings)
     center, axes, off = plane_of(rings[0])
     size = np.ptp(points, axis=0).max()
     if off > PLANAR * size:
-        max_degree = goal.pop("max_degree", None)
-        if interior or goal:
-            wanted = "interior points need" if interior else f"{next(iter(goal))} needs"
-            raise ValueError(f"the loop is {off:.3g} off its plane; {wanted} a planar loop")
-        triangles, facts = mindeg.fill_loop(
-            points, external=external, excluded=list(excluded), max_degree=max_degree
-        )
-        return [], triangles.tolist(), f"degree {facts['max_degree']} (limit {facts['limit']})"
-    outside = np.zeros(len(points), dtype=int) if external is None else np.maximum(np.asarray(external) - 2, 0)
+        if interior:
+            raise ValueError(f"a loop is {off:.3g} off its plane; interior points need a planar loop")
+        triangles, facts = mindeg.fill_loop(points, external=external, excluded=excluded, max_degree=max_degree)
+        patch.triangles, patch.degree = triangles.tolist(), facts["max_degree"]
+        patch.min_angle = mindeg.Mesh(points, triangles).min_angle
+        patch.words = f"limit {facts['limit']}"
+        return
+    outside = np.maximum(np.asarray(external) - 2, 0)
     outer, *holes = [((ring - center) @ axes.T).tolist() for ring in rings]
     source = {"ring": outer, "holes": [{"ring": hole} for hole in holes]}
     source["vertices"] = [
@@ -109,46 +177,70 @@ def fill(rings, *, external=None, excluded=(), interior=False, **goal):
     # A ring that runs the other way round is turned: what its vertices are called here.
     names = _names(domain.points, np.concatenate([outer, *holes]))
     if interior:
-        mesh = domain.interior()
-        new = center + mesh.points[len(points) :] @ axes
+        mesh = domain.mesh(interior=True)
         names = [*names, *range(len(points), len(mesh.points))]
+        patch.new = (center + mesh.points[len(points) :] @ axes).tolist()
+        patch.degree = mesh.max_degree
         reached = mesh.report
-        words = (
-            f"minimum angle {reached['min_angle']:.1f}°, at most {reached['angle_limit']:.1f}° possible; "
-            f"{len(reached['violations'])} vertices outside 5 to 7 edges"
-        )
-        return new.tolist(), np.array(names)[mesh.triangles].tolist(), words
-    mesh = domain.mesh(**goal)
-    least = mesh.least_max_degree
-    bound = f"least possible {least}" if least is not None else "least possible unknown"
-    degree = (mesh.degrees + outside[names]).max()
-    return [], np.array(names)[mesh.triangles].tolist(), (
-        f"degree {degree} ({bound}), minimum angle {mesh.min_angle:.1f}°"
+        violations = len(reached["violations"])
+        patch.words = f"at most {reached['angle_limit']:.1f}° possible"
+        if violations:
+            patch.words += f", {violations} {'vertex' if violations == 1 else 'vertices'} outside 5 to 7 edges"
+    else:
+        # The highest degree demanded, else the share of the angle.
+        if max_degree is not None:
+            goal["max_degree"] = max_degree
+        elif keep_angle is not None and not goal:
+            goal["keep_angle"] = keep_angle
+        mesh = domain.mesh(**goal)
+        patch.degree = int((mesh.degrees + outside[names]).max())
+        least = mesh.least_max_degree
+        patch.words = f"least possible {least}" if least is not None else ""
+    patch.triangles, patch.min_angle = np.array(names)[mesh.triangles].tolist(), mesh.min_angle
+
+
+def said(patches, what):
+    """What was done, in one sentence; ``what`` is "hole" or "face"."""
+    done = [patch for patch in patches if patch.fault is None]
+    left = [patch for patch in patches if patch.fault is not None]
+    if not done:
+        raise ValueError(left[0].fault if left else "there is nothing to fill")
+    triangles = sum(len(patch.triangles) for patch in done)
+    words = f"Filled {_counted(done, what)} with {_counted(range(triangles), 'triangle')}: " if what == "hole" else (
+        f"Made {_counted(range(triangles), 'triangle')} of {_counted(done, what)}: "
     )
+    words += f"degree {'' if len(done) == 1 else 'at most '}{max(patch.degree for patch in done)}"
+    if len(done) == 1 and done[0].words:
+        words += f" ({done[0].words})"
+    words += f", minimum angle {min(patch.min_angle for patch in done):.1f}°"
+    if left:
+        words += f"; {_counted(left, what)} {'stays' if len(left) == 1 else 'stay'} as {'it is' if len(left) == 1 else 'they are'}: {left[0].fault}"
+    return words
+
+
+def _counted(things, what):
+    return f"{len(things)} {what}{'' if len(things) == 1 else 's'}"
 
 
 def _names(points, given):
-    """The number that each point was given with; they come back bit for bit."""
-    number = {tuple(point): place for place, point in enumerate(given.tolist())}
-    return [number[tuple(point)] for point in points.tolist()]
+    """The index that each point was given with; they come back bit for bit."""
+    index = {tuple(point): place for place, point in enumerate(given.tolist())}
+    return [index[tuple(point)] for point in points.tolist()]
 
 
-def bridge(first, second, *, external=None, max_degree=None):
-    """Triangles between two loops of points, the second turned to run as the first does."""
-    first, second = np.asarray(first, dtype=float), np.asarray(second, dtype=float)
+def bridge(patch, external, *, max_degree=None):
+    """Triangles between the two loops of a patch, the second turned to run as the first does."""
+    first, second = (np.asarray(ring, dtype=float) for ring in patch.rings)
     normals = [np.cross(loop - loop.mean(axis=0), np.roll(loop - loop.mean(axis=0), -1, axis=0)).sum(axis=0)
                for loop in (first, second)]
     order = np.arange(len(second))
     if normals[0] @ normals[1] < 0:
         order = order[::-1]
-    if external is not None:
-        external = [*external[: len(first)], *(external[len(first) + i] for i in order)]
+    external = [*external[: len(first)], *(external[len(first) + i] for i in order)]
     triangles, facts = mindeg.bridge_loops(
         first, np.ascontiguousarray(second[order]), external=external, max_degree=max_degree
     )
     names = np.concatenate([np.arange(len(first)), len(first) + order])
-    words = (
-        f"degree {facts['max_degree']} (least possible {facts['least_max_degree']}), "
-        f"minimum angle {facts['min_angle']:.1f}°"
-    )
-    return names[triangles].tolist(), words
+    patch.triangles = names[triangles].tolist()
+    patch.degree, patch.min_angle = facts["max_degree"], facts["min_angle"]
+    patch.words = f"least possible {facts['least_max_degree']}"

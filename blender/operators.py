@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The operators: from a selection to a loop, from triangles to faces. The work is in ``loops``."""
+"""The operators: from a selection to loops, from triangles to faces. The work is in ``loops``."""
 
 import bmesh
 import bpy
 import mindeg
 from bpy.props import BoolProperty, FloatProperty, IntProperty
 
-from . import loops
+from . import loops, working
 
 
 class _EditMesh:
@@ -19,12 +19,13 @@ class _EditMesh:
         return context.mode == "EDIT_MESH"
 
     def execute(self, context):
+        return self.ended(context, lambda bm: self.work(bm))
+
+    def ended(self, context, work):
+        """Does work on the mesh, and says what was done, or what is wrong."""
         mesh = context.edit_object.data
-        bm = bmesh.from_edit_mesh(mesh)
-        bm.verts.index_update()
-        bm.verts.ensure_lookup_table()
         try:
-            words = self.work(bm)
+            words = work(_indexed(mesh))
         except ValueError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
@@ -33,39 +34,144 @@ class _EditMesh:
         return {"FINISHED"}
 
 
-def _selected_loops(bm):
-    """The loops of the selected edges that have a free side."""
+class _LongWork(_EditMesh):
+    """Operators whose work can take long: ``plan`` gives a task, which knows only arrays, and what to do with the mesh after it.
+
+    Called from a menu, the task runs on a thread of its own: the status bar tells how far it is, and Esc cancels it.
+    """
+
+    def work(self, bm):
+        task, finish = self.plan(bm)
+        return finish(bm, task())
+
+    def invoke(self, context, _event):
+        try:
+            task, self._finish = self.plan(_indexed(context.edit_object.data))
+        except ValueError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        self._work = working.Work(task)
+        # Most are over before anybody could see a bar.
+        if self._work.is_over(wait=0.3):
+            return self._over(context)
+        manager = context.window_manager
+        self._timer = manager.event_timer_add(0.1, window=context.window)
+        manager.modal_handler_add(self)
+        return {"RUNNING_MODAL"}
+
+    def modal(self, context, event):
+        if event.type == "ESC":
+            self._work.cancel()
+        if not self._work.is_over():
+            context.workspace.status_text_set(f"{self._work.words} (Esc cancels)")
+            # Nothing else gets the event: the mesh stays as it is until the work is over.
+            return {"RUNNING_MODAL"}
+        context.workspace.status_text_set(None)
+        context.window_manager.event_timer_remove(self._timer)
+        return self._over(context)
+
+    def _over(self, context):
+        if self._work.is_cancelled:
+            self.report({"INFO"}, "Cancelled; the mesh is as it was")
+            return {"CANCELLED"}
+        return self.ended(context, lambda bm: self._finish(bm, self._work.result()))
+
+
+def _indexed(mesh):
+    bm = bmesh.from_edit_mesh(mesh)
+    for sequence in (bm.verts, bm.edges, bm.faces):
+        sequence.index_update()
+        sequence.ensure_lookup_table()
+    return bm
+
+
+def _open_loops(bm):
+    """The loops of the selected edges that have a free side, turned so that new faces agree with those beside; and how many that
+    are no holes are not among them: rims of flat sheets, unless they alone are selected, and the borders of single faces.
+    """
     edges = [edge for edge in bm.edges if edge.select and len(edge.link_faces) < 2]
-    if not edges:
-        raise ValueError("no open edge is selected; select the edges of a hole, or faces")
-    return loops.loops_of([[vertex.index for vertex in edge.verts] for edge in edges])
+    beside = {
+        (corner.vert.index, corner.link_loop_next.vert.index): corner.face for edge in edges for corner in edge.link_loops
+    }
+    found = loops.directed_loops(beside)
+    if sum(map(len, found)) < len(edges):
+        # Edges without a face, or chains; a chain is refused.
+        return [_oriented(bm, loop) for loop in loops.loops_of([[v.index for v in edge.verts] for edge in edges])], 0
+    normals = [[beside[pair].normal for pair in zip(loop, [*loop[1:], loop[0]])] for loop in found]
+    rims = [loops.is_rim([bm.verts[vertex].co for vertex in loop], of_loop) for loop, of_loop in zip(found, normals)]
+    if all(rims) and not any(face.select for face in bm.faces):
+        rims = [False] * len(found)
+    for index, loop in enumerate(found):
+        around = {beside[pair] for pair in zip(loop, [*loop[1:], loop[0]])}
+        rims[index] |= len(around) == 1 and len(next(iter(around)).verts) == len(loop)
+    return [[loop[0], *reversed(loop[1:])] for loop, is_rim in zip(found, rims) if not is_rim], sum(rims)
 
 
 def _oriented(bm, loop):
     """The loop, turned so that new faces agree with the face beside its first edge."""
-    a, b = bm.verts[loop[0]], bm.verts[loop[1]]
-    edge = bm.edges.get((a, b))
-    if edge is not None and edge.link_loops:
-        runs_forward = edge.link_loops[0].vert.index == loop[0]
-        if runs_forward:
-            return [loop[0], *reversed(loop[1:])]
-    return loop
+    edge = bm.edges.get((bm.verts[loop[0]], bm.verts[loop[1]]))
+    runs_forward = edge is not None and edge.link_loops and edge.link_loops[0].vert.index == loop[0]
+    return [loop[0], *reversed(loop[1:])] if runs_forward else loop
 
 
-def _add_faces(bm, names, triangles, like=None):
-    """Makes faces of triangles of the named vertices, selected; those that are there already stay."""
-    made = []
-    for triangle in triangles:
-        vertices = [names[vertex] for vertex in triangle]
-        if bm.faces.get(vertices) is not None:
+def _edges_at(bm, patches):
+    """The edges at the vertices of patches, as pairs of indices."""
+    edges = {edge for patch in patches for name in patch.names for edge in bm.verts[name].link_edges}
+    return [[vertex.index for vertex in edge.verts] for edge in edges]
+
+
+def _corners_beside(vertices):
+    """For vertices of a hole the corner of a face beside it."""
+    found = {}
+    for vertex in vertices:
+        for edge in vertex.link_edges:
+            if len(edge.link_loops) == 1:
+                corner = edge.link_loops[0]
+                found[vertex] = corner if corner.vert == vertex else corner.link_loop_next
+                break
+    return found
+
+
+def _add_faces(bm, patch, vertices, corners, like, between):
+    """Makes the faces of a patch, selected, with the material of the face ``like``. UVs, colors and all else of a corner come from
+    ``corners`` by vertex, and at new points lie between those of the face ``between``. Faces that are there already stay.
+    """
+    vertices = [*vertices, *(bm.verts.new(point) for point in patch.new)]
+    made = 0
+    for triangle in patch.triangles:
+        of_face = [vertices[place] for place in triangle]
+        if bm.faces.get(of_face) is not None:
             continue
-        face = bm.faces.new(vertices)
-        if like is not None:
-            face.material_index = like.material_index
-            face.smooth = like.smooth
+        face = bm.faces.new(of_face) if like is None else bm.faces.new(of_face, like)
+        for corner in face.loops:
+            if corner.vert in corners:
+                corner.copy_from(corners[corner.vert])
+            elif between is not None:
+                corner.copy_from_face_interp(between, True, False)
         face.select = True
-        made.append(face)
+        made += 1
     return made
+
+
+def _replace_face(bm, patch, vertices, face):
+    corners = {corner.vert: corner for corner in face.loops}
+    _add_faces(bm, patch, vertices, corners, face, face)
+    bm.faces.remove(face)
+
+
+def _fill_hole(bm, patch, vertices):
+    corners = _corners_beside(vertices)
+    like = next((corner.face for corner in corners.values()), None)
+    between = None
+    outer = vertices[: len(patch.rings[0])]
+    if patch.new and like is not None and bm.faces.get(outer) is None:
+        # For as long as new points take their values from it.
+        between = bm.faces.new(outer, like)
+        for corner in between.loops:
+            corner.copy_from(corners[corner.vert])
+    _add_faces(bm, patch, vertices, corners, like, between)
+    if between is not None:
+        bm.faces.remove(between)
 
 
 def _goals():
@@ -74,99 +180,104 @@ def _goals():
     for goal in mindeg.GOALS:
         words = {"name": goal["key"].replace("_", " ").title(), "description": goal["help"].split(". ")[0]}
         if goal["value"] == "degree":
+            words["description"] += "; 0: any number. It goes before the share of the angle"
             properties[goal["key"]] = IntProperty(**words, min=0, default=0)
         elif goal["value"] == "share":
-            properties[goal["key"]] = FloatProperty(**words, min=0, max=1, default=0, subtype="FACTOR")
+            words["description"] += "; 0: the least degree, whatever the angle"
+            # Few artists want the least degree at any angle.
+            properties[goal["key"]] = FloatProperty(**words, min=0, max=1, default=0.95, subtype="FACTOR")
     return properties
 
 
 GOALS = _goals()
 
 
-class MESH_OT_mindeg_fill(_EditMesh, bpy.types.Operator):
-    """Fill selected loops of edges, or retriangulate selected faces, with few edges at every vertex"""
+class MESH_OT_mindeg_fill(_LongWork, bpy.types.Operator):
+    """Fill the holes that selected edges bound; without a hole, retriangulate the selected faces. Few edges meet at every vertex"""
 
     bl_idname = "mesh.mindeg_fill"
-    bl_label = "Fill with Least Degree"
+    bl_label = "Fill with Few Edges"
 
     interior: BoolProperty(name="Interior Points", description="Add points inside", default=False)
 
-    def work(self, bm):
-        faces = [face for face in bm.faces if face.select and len(face.verts) > 3]
-        done = [self.fill_face(bm, face) for face in faces]
-        if not faces:
-            found = _selected_loops(bm)
-            rings = [[bm.verts[vertex].co for vertex in loop] for loop in found]
-            # Vertices are made on the way, so no index counts after that.
-            groups = [
-                [[bm.verts[vertex] for vertex in _oriented(bm, found[ring])] for ring in group]
-                for group in loops.nested(rings)
-            ]
-            done = [self.fill_rings(bm, group) for group in groups]
-        return "; ".join(done)
-
-    def wanted(self):
-        goals = {key: getattr(self, key) for key in GOALS}
-        return {"interior": self.interior, **{key: value for key, value in goals.items() if value}}
-
-    def fill_face(self, bm, face):
-        names = list(face.verts)
-        external = [len(vertex.link_edges) for vertex in names]
-        rings = [[vertex.co for vertex in names]]
-        new, triangles, words = loops.fill(rings, external=external, **self.wanted())
-        like = face
-        names += [bm.verts.new(point) for point in new]
-        made = _add_faces(bm, names, triangles, like)
-        bm.faces.remove(like)
-        bm.normal_update()
-        return f"{len(made)} triangles, {words}"
-
-    def fill_rings(self, bm, rings):
-        names = [vertex for ring in rings for vertex in ring]
-        index = {vertex: position for position, vertex in enumerate(names)}
-        external = [len(vertex.link_edges) for vertex in names]
-        excluded = [
-            [index[vertex] for vertex in edge.verts]
-            for edge in {edge for vertex in names for edge in vertex.link_edges}
-            if all(vertex in index for vertex in edge.verts)
+    def plan(self, bm):
+        holes, rims = _open_loops(bm)
+        faces = []
+        if not holes:
+            faces = [face.index for face in bm.faces if face.select and len(face.verts) > 3]
+        groups = [[holes[ring] for ring in group] for group in loops.nested([_points(bm, ring) for ring in holes])]
+        groups += [[[vertex.index for vertex in bm.faces[face].verts]] for face in faces]
+        if not groups:
+            more = "; the rim of a flat sheet stays open, unless it alone is selected" if rims else ""
+            raise ValueError(f"no hole and no face with more than 3 corners is selected{more}")
+        patches = [
+            loops.Patch([name for ring in group for name in ring], [_points(bm, ring) for ring in group]) for group in groups
         ]
-        points = [[vertex.co for vertex in ring] for ring in rings]
-        new, triangles, words = loops.fill(points, external=external, excluded=excluded, **self.wanted())
-        names += [bm.verts.new(point) for point in new]
-        made = _add_faces(bm, names, triangles)
-        bm.normal_update()
-        return f"{len(made)} triangles, {words}"
+        edges = _edges_at(bm, patches)
+        wanted = {"interior": self.interior, **{key: value for key in GOALS if (value := getattr(self, key))}}
+
+        def task():
+            loops.fill_all(patches, edges, **wanted)
+            return patches
+
+        def finish(bm, patches):
+            words = loops.said(patches, "face" if faces else "hole")
+            # Vertices and faces are made on the way, so no index counts after that.
+            vertices = [[bm.verts[name] for name in patch.names] for patch in patches]
+            replaced = [bm.faces[face] for face in faces]
+            for index, patch in enumerate(patches):
+                if patch.fault is None and faces:
+                    _replace_face(bm, patch, vertices[index], replaced[index])
+                elif patch.fault is None:
+                    _fill_hole(bm, patch, vertices[index])
+            bm.normal_update()
+            return words
+
+        return task, finish
 
 
 MESH_OT_mindeg_fill.__annotations__.update(GOALS)
 
 
-class MESH_OT_mindeg_bridge(_EditMesh, bpy.types.Operator):
+def _points(bm, names):
+    """Copies, which no thread needs Blender for."""
+    return [tuple(bm.verts[name].co) for name in names]
+
+
+class MESH_OT_mindeg_bridge(_LongWork, bpy.types.Operator):
     """Join two selected loops of edges, of equal or unequal counts, by one strip of triangles"""
 
     bl_idname = "mesh.mindeg_bridge"
-    bl_label = "Bridge with Least Degree"
+    bl_label = "Bridge with Few Edges"
 
     max_degree: IntProperty(
         name="Maximum Degree", description="The most edges of a vertex; 0 for the least possible", min=0, default=0
     )
 
-    def work(self, bm):
-        found = _selected_loops(bm)
+    def plan(self, bm):
+        edges = [edge for edge in bm.edges if edge.select and len(edge.link_faces) < 2]
+        if not edges:
+            raise ValueError("no open edge is selected; select the edges of two holes")
+        found = [_oriented(bm, loop) for loop in loops.loops_of([[v.index for v in edge.verts] for edge in edges])]
         if len(found) != 2:
-            raise ValueError(f"{len(found)} loops are selected; select two")
-        first = _oriented(bm, found[0])
-        names = [bm.verts[index] for index in [*first, *found[1]]]
-        points = [vertex.co for vertex in names]
-        triangles, words = loops.bridge(
-            points[: len(first)],
-            points[len(first) :],
-            external=[len(vertex.link_edges) for vertex in names],
-            max_degree=self.max_degree or None,
-        )
-        made = _add_faces(bm, names, triangles)
-        bm.normal_update()
-        return f"{len(made)} triangles, {words}"
+            raise ValueError(f"{len(found)} {'loop is' if len(found) == 1 else 'loops are'} selected; select two")
+        patch = loops.Patch([*found[0], *found[1]], [_points(bm, loop) for loop in found])
+        external = [len(bm.verts[name].link_edges) for name in patch.names]
+        max_degree = self.max_degree or None
+
+        def task():
+            loops.bridge(patch, external, max_degree=max_degree)
+            return patch
+
+        def finish(bm, patch):
+            vertices = [bm.verts[name] for name in patch.names]
+            corners = _corners_beside(vertices)
+            like = next((corner.face for corner in corners.values()), None)
+            made = _add_faces(bm, patch, vertices, corners, like, None)
+            bm.normal_update()
+            return f"Joined 2 loops with {made} triangles: degree {patch.degree} ({patch.words}), minimum angle {patch.min_angle:.1f}°"
+
+        return task, finish
 
 
 class MESH_OT_mindeg_select_poles(_EditMesh, bpy.types.Operator):
@@ -185,7 +296,7 @@ class MESH_OT_mindeg_select_poles(_EditMesh, bpy.types.Operator):
             poles += is_pole
         bm.select_mode = {"VERT"}
         bm.select_flush_mode()
-        return f"{poles} vertices have more than {self.above} edges"
+        return f"{poles} {'vertex has' if poles == 1 else 'vertices have'} more than {self.above} edges"
 
 
 class MESH_OT_mindeg_report(_EditMesh, bpy.types.Operator):
@@ -204,7 +315,7 @@ class MESH_OT_mindeg_report(_EditMesh, bpy.types.Operator):
             if triangle[0].face in chosen
         ]
         if not triangles:
-            raise ValueError("the mesh has no faces")
+            raise ValueError("the mesh has no face")
         found = mindeg.inspect(np.array([vertex.co for vertex in bm.verts], dtype=float), triangles)
         degree = max(len(vertex.link_edges) for face in chosen for vertex in face.verts)
         return f"{len(triangles)} triangles, degree {degree}, minimum angle {found['min_angle']:.1f}°"

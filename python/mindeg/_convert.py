@@ -1,4 +1,4 @@
-"""A mesh as other packages have it. Each is imported when it is asked for."""
+"""A mesh as other packages have it, and a picture of it. Each package is imported when it is asked for."""
 
 import numpy as np
 
@@ -12,7 +12,6 @@ def _in_space(mesh):
 
 
 def to_meshio(mesh):
-    """The mesh as a ``meshio.Mesh``: triangles, lines and named points, with a cell set for each name."""
     import meshio
 
     cells = [("triangle", mesh.triangles)]
@@ -30,7 +29,6 @@ def to_meshio(mesh):
 
 
 def to_trimesh(mesh):
-    """The mesh as a ``trimesh.Trimesh`` with the same vertices in the same order."""
     import trimesh
 
     return trimesh.Trimesh(
@@ -39,9 +37,59 @@ def to_trimesh(mesh):
 
 
 def to_pyvista(mesh):
-    """The mesh as a ``pyvista.PolyData`` with the point array ``degree``."""
     import pyvista
 
     data = pyvista.PolyData.from_regular_faces(_in_space(mesh), mesh.triangles)
     data.point_data["degree"] = mesh.degrees
     return data
+
+
+def plot(mesh, ax, values):
+    import matplotlib.pyplot as plt
+
+    points, triangles = mesh.points, mesh.triangles
+    if values is not None:
+        values = np.asarray(values, dtype=float)
+        if values.shape not in ((len(points),), (len(triangles),)):
+            raise ValueError(
+                f"values has the shape {values.shape}; give {len(points)} numbers, one for each vertex, or {len(triangles)}, "
+                "one for each triangle"
+            )
+    is_flat = points.shape[1] == 2
+    if ax is None:
+        ax = plt.figure().add_subplot(projection=None if is_flat else "3d")
+    if is_flat:
+        _plot_in_plane(ax, mesh, values)
+    else:
+        _plot_in_space(ax, mesh, values)
+    ax.set_aspect("equal")
+    if mesh.name:
+        ax.set_title(mesh.name)
+    return ax
+
+
+def _plot_in_plane(ax, mesh, values):
+    (x, y), triangles = mesh.points.T, mesh.triangles
+    if values is None:
+        for index, of_group in enumerate(mesh.groups.values()):
+            ax.tripcolor(x, y, triangles[of_group], facecolors=np.full(len(of_group), index % 10), cmap="tab10", vmin=0, vmax=9, alpha=0.2)
+    else:
+        of_what = (values,) if len(values) == len(x) else ()
+        how = {"shading": "gouraud"} if of_what else {"facecolors": values}
+        ax.figure.colorbar(ax.tripcolor(x, y, triangles, *of_what, **how), ax=ax)
+    ax.triplot(x, y, triangles, color="0.45", linewidth=0.5)
+    for name, segments in mesh.lines.items():
+        # A gap after each segment, so that all are one line of the legend.
+        path = np.insert(mesh.points[segments], 2, np.nan, axis=1).reshape(-1, 2)
+        ax.plot(*path.T, linewidth=2, label=name)
+    if 1 < len(mesh.lines) <= 10:
+        ax.legend(loc="upper left", bbox_to_anchor=(1.01, 1))
+
+
+def _plot_in_space(ax, mesh, values):
+    x, y, z = mesh.points.T
+    surface = ax.plot_trisurf(x, y, z, triangles=mesh.triangles, color="0.85", edgecolor="0.3", linewidth=0.3)
+    if values is not None:
+        of_triangles = values[mesh.triangles].mean(axis=1) if len(values) == len(x) else values
+        surface.set(array=of_triangles, cmap="viridis")
+        ax.figure.colorbar(surface, ax=ax, shrink=0.7)

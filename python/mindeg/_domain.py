@@ -1,93 +1,91 @@
 """Domains from what Python users have: numbers, arrays, dicts, JSON, files, shapely's polygons."""
 
+from __future__ import annotations
+
 import json
 import os
 import warnings
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Literal
-
-import numpy as np
-import numpy.typing as npt
+from typing import TYPE_CHECKING, Any
 
 from . import _mindeg
-from ._options import GoalOptions, InteriorOptions, as_json, names_its_options
+from ._options import MeshOptions, ReadingOptions, separated, shows_its_options, wish
 from ._plain import number, plain, whole_number
-from ._sizes import given_sizes
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    import numpy as np
+    import numpy.typing as npt
     from typing_extensions import Self, Unpack
 
 
 class Domain(_mindeg._Domain):
-    """A polygon with its boundary points.
+    """A polygon with its boundary points, holes and regions: what to mesh.
 
     ``source`` is one of
 
-    - a dict or a JSON text, as ``docs/domains.md`` describes them;
-    - a path to a file: JSON, or Gmsh's MSH with lines, Triangle's .poly, SVG, DXF, GeoJSON, WKT, OBJ lines
+    - an (n, 2) array, which is one ring of points, or a list of such rings: the outer one, then holes. A ring may
+      repeat its first point at its end;
+    - anything with ``__geo_interface__`` that has polygons, such as what shapely and geopandas give, or a dict of GeoJSON;
+    - a path to a file: JSON, or Gmsh's MSH with lines, Triangle's .poly, SVG, DXF, GeoJSON, TopoJSON, WKT, OBJ lines
       or a CSV of points, as ``docs/outlines.md`` describes them;
-    - an (n, 2) array, which is one ring of points, or a list of such rings: the outer one, then holes;
-    - anything with ``__geo_interface__`` that has polygons, such as what shapely and geopandas give.
+    - a dict or a JSON text, as ``docs/domains.md`` describes them.
 
     Points of arrays, polygons and files are the boundary points and come back bit for bit, unless ``size``
     gives the length of the intervals instead. A side ends where its file begins another or where the
-    boundary turns by more than ``corner_angle`` degrees, 30 by default; without these options, a ring of an
-    array or a polygon is one side. ``feature`` is the name or the number, from 1, of one polygon of several;
-    several that share edges and hang together are the regions of one domain, called after the property or column
-    ``name_by``. ``layer`` chooses an object of a TopoJSON. ``repair`` makes polygons of rings that cross or touch, by the
-    ``fill_rule`` "evenodd" or "nonzero", and mends borders between polygons; ``snap`` is how near points become one.
+    boundary turns by more than ``corner_angle`` degrees, 30 unless given; without these options, a ring of an
+    array or a polygon is one side.
+
+    ``feature`` is the name or the number, from 1, of one polygon of several; several that share edges and hang together
+    are the regions of one domain, called after the property or column ``name_by``. ``layer`` chooses an object of
+    a TopoJSON or a layer of a DXF. ``repair`` makes polygons of rings that cross or touch, by the ``fill_rule`` "evenodd" or
+    "nonzero", and mends borders between polygons; ``snap`` is how near points become one.
+
+    Domains are equal if their points, sides, names, limits and wishes are.
     """
 
+    @shows_its_options(ReadingOptions)
     def __new__(
         cls,
-        source: "str | os.PathLike[str] | Mapping[str, Any] | npt.ArrayLike | Any",
+        source: str | os.PathLike[str] | Mapping[str, Any] | npt.ArrayLike | Any,
         *,
         name: str | None = None,
-        size: float | None = None,
-        corner_angle: float | None = None,
-        feature: str | int | None = None,
-        layer: str | None = None,
-        name_by: str | None = None,
-        repair: bool = False,
-        snap: float | None = None,
-        fill_rule: "Literal['evenodd', 'nonzero'] | None" = None,
-    ) -> "Self":
-        options = {
-            "size": size,
-            "corner_angle": corner_angle,
-            "feature": feature,
-            "layer": layer,
-            "name_by": name_by,
-            "repair": repair,
-            "snap": snap,
-            "fill_rule": fill_rule,
-        }
-        text = _json_of(source, {key: given for key, given in options.items() if given is not None and given is not False})
+        **reading: Unpack[ReadingOptions],
+    ) -> Self:
+        goal, wanted, options = separated(reading)
+        for key in [*goal, *wanted]:
+            raise TypeError(f"{key} is for meshes; give it to Domain.mesh")
+        text, names = _json_of(source, options)
         if name is not None:
             text = json.dumps({**json.loads(text), "name": name})
-        return super().__new__(cls, text)
+        return super().__new__(cls, text, names)
 
     def __reduce__(self):
         return Domain, (self.to_json(),)
 
-    @names_its_options(GoalOptions)
-    def mesh(self, **goal: "Unpack[GoalOptions]") -> _mindeg.Mesh:
-        """The mesh of least degree, or the one that a goal asks for: ``keep_angle=0.95`` or ``"95%"`` the least degree
-        that keeps this share of Delaunay's minimum angle, ``max_degree`` the largest angle within a degree.
-        ``mindeg.GOALS`` has all goals.
-        """
-        return self._mesh(**goal)
+    @shows_its_options(MeshOptions)
+    def mesh(self, *, interior: bool | None = None, **options: Unpack[MeshOptions]) -> _mindeg.Mesh:
+        """The mesh of least degree, or the one that a goal asks for; or, with ``interior=True``, a mesh with points inside.
 
-    @names_its_options(InteriorOptions)
-    def interior(self, **options: "Unpack[InteriorOptions]") -> _mindeg.Mesh:
-        """A mesh with interior points: the boundary stays, degrees are 5 to 7 inside, and the minimum angle gets near
-        its proven limit. ``sizes`` are rows x, y, size, the path of a grid or a background mesh, a function that takes an
-        (n, 2) array and gives n sizes, a dict as in JSON, or a list of these; ``fixed_points`` are rows x, y; ``mesh.report``
-        has what was reached. ``docs/interior.md`` explains the options.
+        Of the boundary points alone: ``keep_angle=0.95`` or ``"95%"`` gives the least degree that keeps this share of Delaunay's
+        minimum angle, ``max_degree=6`` the largest angle within a degree. ``mindeg.GOALS`` has all goals.
+
+        With points inside the boundary stays, degrees are 5 to 7 inside, and the minimum angle gets near its proven limit.
+        ``growth`` is how fast sizes grow from the boundary. ``sizes`` are rows x, y, size, the path of a grid or a
+        background mesh, a function that takes an (n, 2) array and gives n sizes, a dict as in JSON, or a list of these;
+        ``fixed_points`` are rows x, y; ``docs/interior.md`` explains all. ``report`` of the mesh has what was reached.
+
+        Without ``interior``, the domain's JSON decides.
         """
-        if options.get("sizes") is not None:
-            options["sizes"] = given_sizes(options["sizes"], self.points)
-        return self._interior(as_json(options))
+        goal, wanted, reading = separated(options)
+        for key in reading:
+            raise TypeError(f"{key} is for making a domain; give it to Domain, or to mindeg.mesh")
+        if "sizes" in wanted:
+            from ._sizes import given_sizes
+
+            wanted["sizes"] = given_sizes(wanted["sizes"], self.points)
+        return self._mesh(wish(interior, goal, wanted))
 
     def compare(self) -> dict[str, Any]:
         """Delaunay, ear clipping and a fan beside mindeg: a dict, as ``mindeg compare`` writes it."""
@@ -97,6 +95,7 @@ class Domain(_mindeg._Domain):
         return self.mesh()._repr_svg_()
 
 
+@shows_its_options()
 def rectangle(
     width: float,
     height: float,
@@ -111,13 +110,14 @@ def rectangle(
     ``intervals`` is one number for all sides or one for each; ``size`` is the length to aim at instead.
     """
     outline = {"rectangle": {"width": number(width, "width"), "height": number(height, "height")}}
-    return _with_sides(outline, 4, intervals, size, names, name)
+    return _with_sides(outline, 4, intervals, size, names, name, [("rectangle.width", "width"), ("rectangle.height", "height")])
 
 
+@shows_its_options()
 def polygon(
-    corners: "npt.ArrayLike",
+    corners: npt.ArrayLike,
     *,
-    holes: "Sequence[npt.ArrayLike]" = (),
+    holes: Sequence[npt.ArrayLike] = (),
     intervals: int | Sequence[int] | np.ndarray | None = None,
     size: float | None = None,
     names: Sequence[str | None] | None = None,
@@ -131,10 +131,12 @@ def polygon(
     outline: dict[str, Any] = {"polygon": {"corners": _ring(corners, "corners")}}
     if len(holes):
         outline["holes"] = [{"corners": _ring(hole, f"holes[{place}]")} for place, hole in enumerate(holes)]
-    return _with_sides(outline, len(outline["polygon"]["corners"]), intervals, size, names, name)
+    called = [("polygon.corners", "corners"), ("polygon", "corners"), *((f"holes[{index}].corners", f"holes[{index}]") for index in range(len(holes)))]
+    return _with_sides(outline, len(outline["polygon"]["corners"]), intervals, size, names, name, called)
 
 
-def _with_sides(outline, count, intervals, size, names, name):
+def _with_sides(outline, count, intervals, size, names, name, called):
+    """A domain of an outline whose keys are ``called`` by arguments."""
     if name is not None:
         outline["name"] = name
     if (intervals is None) == (size is None):
@@ -142,7 +144,7 @@ def _with_sides(outline, count, intervals, size, names, name):
     sides = [{} for _ in range(count)]
     if size is not None:
         outline["size"] = number(size, "size")
-    elif np.ndim(intervals) == 0:
+    elif isinstance(intervals, str) or not hasattr(intervals, "__len__") or getattr(intervals, "shape", None) == ():
         intervals = whole_number(intervals, "intervals")
         for hole in outline.get("holes", []):
             hole["sides"] = [{"intervals": intervals} for _ in hole["corners"]]
@@ -151,81 +153,86 @@ def _with_sides(outline, count, intervals, size, names, name):
         if len(intervals) != count:
             raise ValueError(f"found {len(intervals)} intervals for {count} sides; give one for each")
         sides = [{"intervals": whole_number(of_side, f"intervals[{side}]")} for side, of_side in enumerate(intervals)]
+        called = [*called, *((f"sides[{side}].intervals", f"intervals[{side}]") for side in range(count))]
     if names is not None:
         if len(names) != count:
             raise ValueError(f"found {len(names)} names for {count} sides; give one for each")
         for side, of_side in zip(sides, names):
             if of_side is not None:
                 side["name"] = str(of_side)
+        called = [*called, *((f"sides[{side}].name", f"names[{side}]") for side in range(count))]
     if any(sides):
         outline["sides"] = sides
-    return Domain(outline)
+    return _mindeg._Domain.__new__(Domain, json.dumps(outline), called)
 
 
-def _json_of(source, options):
-    """The domain in JSON: the one form that the library reads, and that is pickled."""
-    if isinstance(source, os.PathLike) or isinstance(source, str) and source.lstrip()[:1] != "{":
-        return _outline(source, None, **options)
-    is_mapping = isinstance(source, Mapping)
-    if isinstance(source, (str, _mindeg._Domain)) or is_mapping and "type" not in source:
+def _json_of(source, options) -> tuple[str, list[tuple[str, str]] | None]:
+    """The domain in JSON, the one form that the library reads, and what its keys are called in arguments, if it was made of these."""
+    path, text = path_or_text(source)
+    if path is not None:
+        return _outline(path, None, **options), None
+    if isinstance(source, (str, _mindeg._Domain)) or isinstance(source, Mapping) and "type" not in source and text is None:
         if options:
             keys = " and ".join(options)
             raise ValueError(f"{keys} is for points, polygons and files; a domain in JSON has its own keys for that")
-        if is_mapping:
-            return json.dumps(plain(source, ""))
-        return source if isinstance(source, str) else source.to_json()
-    geometry = source if is_mapping else getattr(source, "__geo_interface__", None)
-    if geometry is None:
-        rings = _rings_of_arrays(source)
-    elif geometry.get("type") == "Polygon":
-        rings = {f"coordinates[{index}]": [point[:2] for point in ring] for index, ring in enumerate(geometry["coordinates"])}
-    else:
-        return _outline(None, json.dumps(geometry, default=plain), **options)
+        if isinstance(source, Mapping):
+            return json.dumps(plain(source, "")), []
+        return (source, None) if isinstance(source, str) else (source.to_json(), [])
+    if text is not None:
+        return _outline(None, text, **options), []
+    rings = _rings(source)
     if not rings:
         raise ValueError("the polygon is empty; give at least three points")
     outer, *holes = [_ring(ring, key) for key, ring in rings.items()]
     if options:
-        return _outline(None, json.dumps({"type": "Polygon", "coordinates": [outer, *holes]}), **options)
-    return json.dumps({"ring": outer, **({"holes": [{"ring": hole} for hole in holes]} if holes else {})})
+        return _outline(None, json.dumps({"type": "Polygon", "coordinates": [outer, *holes]}), **options), []
+    paths = ["ring", *(f"holes[{index}].ring" for index in range(len(holes)))]
+    domain: dict[str, Any] = {"ring": outer, "holes": [{"ring": hole} for hole in holes]}
+    return json.dumps(domain if holes else {"ring": outer}), list(zip(paths, rings))
 
 
-@names_its_options(InteriorOptions)
-def mesh_map(
-    source: "str | os.PathLike[str] | Mapping[str, Any] | Any",
-    *,
-    layer: str | None = None,
-    name_by: str | None = None,
-    size: float | None = None,
-    corner_angle: float | None = None,
-    repair: bool = False,
-    snap: float | None = None,
-    fill_rule: "Literal['evenodd', 'nonzero'] | None" = None,
-    **options: "Unpack[InteriorOptions]",
-) -> _mindeg.Mesh:
-    """One mesh with interior points of all polygons of a source, whose regions they are: ``mesh.groups`` by name.
+def path_or_text(source) -> tuple[str | os.PathLike[str] | None, str | None]:
+    """The path of a file, or the text of GeoJSON or of a model, that a source is; neither for others."""
+    if isinstance(source, os.PathLike) or isinstance(source, str) and source.lstrip()[:1] not in ("{", "["):
+        return source, None
+    if isinstance(source, Mapping) and "faces" in source:
+        return None, json.dumps(plain(source, ""))
+    geometry = _geometry(source)
+    if geometry is None or geometry.get("type") == "Polygon":
+        return None, None
+    return None, json.dumps(geometry, default=plain)
 
-    ``source`` is the path of a file, a dict of GeoJSON, or anything with ``__geo_interface__``, such as a GeoDataFrame of
-    geopandas, whose column ``name_by`` names the regions. Borders that polygons share are there once. The other options
-    are those of ``Domain`` and of ``Domain.interior``; ``docs/maps.md`` explains maps.
-    """
-    if isinstance(source, (str, os.PathLike)):
-        path, text = source, None
-    else:
-        geometry = source if isinstance(source, Mapping) else getattr(source, "__geo_interface__", None)
-        if geometry is None:
-            raise TypeError(f"{type(source).__name__} has no polygons; give a path, GeoJSON or what has __geo_interface__")
-        path, text = None, json.dumps(geometry, default=plain)
-    if options.get("sizes") is not None:
-        if callable(options["sizes"]):
-            raise ValueError("sizes: a function is for a single domain; give an array, a grid or a file")
-        options["sizes"] = given_sizes(options["sizes"], np.zeros((1, 2)))
-    given = _reading(
-        path, text, layer=layer, name_by=name_by, size=size, corner_angle=corner_angle, repair=repair, snap=snap, fill_rule=fill_rule
-    )
-    mesh, notes = _mindeg._mesh_of_map(given, as_json(options))
-    for note in notes:
-        warnings.warn(note, stacklevel=2)
-    return mesh
+
+def _geometry(source) -> Mapping[str, Any] | None:
+    """The GeoJSON that a source is or has."""
+    if isinstance(source, Mapping):
+        return source if "type" in source else None
+    return getattr(source, "__geo_interface__", None)
+
+
+def _rings(source) -> dict[str, Any]:
+    """The rings of a polygon or of arrays, each with its key."""
+    geometry = _geometry(source)
+    if geometry is not None:
+        return {f"coordinates[{index}]": [point[:2] for point in ring] for index, ring in enumerate(geometry["coordinates"])}
+    import numpy as np
+
+    if hasattr(source, "__array__") and not isinstance(source, np.ndarray):
+        source = np.asarray(source)
+    try:
+        is_ring = np.ndim(source[0]) == 1 and np.ndim(source[0][0]) == 0
+    except (IndexError, KeyError):
+        raise ValueError("no points; give (n, 2)") from None
+    except TypeError:
+        kind = type(source).__name__
+        raise TypeError(f"{kind} is no domain; give points, a polygon, a path or a dict") from None
+    return {"points": source} if is_ring else {f"rings[{index}]": ring for index, ring in enumerate(source)}
+
+
+def _ring(points, key):
+    """Points of a ring in the plane, without the last one where it repeats the first, as it does in files."""
+    rows = _mindeg._rows_of_two(points, key)
+    return rows[:-1] if len(rows) > 1 and rows[0] == rows[-1] else rows
 
 
 #: How the polygons of a source are read, where nothing else is asked for.
@@ -241,7 +248,7 @@ _READING = {
 }
 
 
-def _reading(path, text, **options):
+def reading_of(path, text, **options):
     """A file, or GeoJSON, and all options of its reader."""
     options = {key: given for key, given in options.items() if given is not None}
     if "feature" in options:
@@ -251,27 +258,12 @@ def _reading(path, text, **options):
 
 def _outline(path, text, **options):
     """The domain in a file, or in GeoJSON, as the readers of outlines make it."""
-    domain, notes = _mindeg._domain_of_outline(_reading(path, text, **options))
-    for note in notes:
-        warnings.warn(note, stacklevel=4)
+    domain, notes = _mindeg._domain_of_outline(reading_of(path, text, **options))
+    warn(notes, 5)
     return domain
 
 
-def _rings_of_arrays(source):
-    """One ring of points, or a list of rings, each with its key."""
-    if hasattr(source, "__array__") and not isinstance(source, np.ndarray):
-        source = np.asarray(source)
-    try:
-        is_ring = np.ndim(source[0]) == 1 and np.ndim(source[0][0]) == 0
-    except (IndexError, KeyError):
-        raise ValueError("no points; give (n, 2)") from None
-    except TypeError:
-        kind = type(source).__name__
-        raise TypeError(f"{kind} is no domain; give a dict, a path, points or a polygon") from None
-    return {"points": source} if is_ring else {f"rings[{index}]": ring for index, ring in enumerate(source)}
-
-
-def _ring(points, key):
-    """Points of a ring in the plane, without the last one where it repeats the first, as it does in files."""
-    rows = _mindeg._rows_of_two(points, key)
-    return rows[:-1] if len(rows) > 1 and rows[0] == rows[-1] else rows
+def warn(notes: Iterable[str], stacklevel: int) -> None:
+    """Says what a reader left out or changed, at the line that called it."""
+    for note in notes:
+        warnings.warn(note, stacklevel=stacklevel)

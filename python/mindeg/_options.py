@@ -1,24 +1,24 @@
-"""Goals and interior points: their options, written once for everything that takes them, and the optimiser alone."""
+"""The options of meshes and of readers, written once for everything that takes them."""
+
+from __future__ import annotations
 
 import inspect
 import json
-import os
-from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Literal, TypedDict, TypeVar
 
-import numpy.typing as npt
-
-from . import _mindeg
 from ._plain import plain
 
 if TYPE_CHECKING:
-    from typing_extensions import Unpack
+    import os
+    from collections.abc import Callable, Mapping, Sequence
 
-_Function = TypeVar("_Function", bound=Callable[..., Any])
+    import numpy.typing as npt
+
+    _Function = TypeVar("_Function", bound=Callable[..., Any])
 
 
 class GoalOptions(TypedDict, total=False):
-    """What a mesh of boundary points is to be; `mindeg.GOALS` explains each. Give one of them."""
+    """What a mesh of boundary points is to be; ``mindeg.GOALS`` explains each. Give one of them."""
 
     keep_angle: float | str | None
     max_degree: int | None
@@ -26,7 +26,7 @@ class GoalOptions(TypedDict, total=False):
 
 
 class InteriorOptions(TypedDict, total=False):
-    """What is wanted of interior points; `docs/interior.md` explains each."""
+    """What is wanted of points inside; ``docs/interior.md`` explains each."""
 
     growth: float | None
     size_inside: float | None
@@ -36,41 +36,78 @@ class InteriorOptions(TypedDict, total=False):
     boundary_degree: int | None
     target_angle: float | None
     prefer: Literal["degree", "angle"] | None
-    sizes: "npt.ArrayLike | Callable[[Any], npt.ArrayLike] | Sequence[Any] | Mapping[str, Any] | str | os.PathLike[str] | None"
-    fixed_points: "npt.ArrayLike | None"
+    sizes: npt.ArrayLike | Callable[[Any], npt.ArrayLike] | Sequence[Any] | Mapping[str, Any] | str | os.PathLike[str] | None
+    fixed_points: npt.ArrayLike | None
     max_points: int | None
 
 
-def names_its_options(options: type) -> Callable[[_Function], _Function]:
-    """Lists the options in the signature that help() and notebooks show, in place of ``**options``."""
+class MeshOptions(GoalOptions, InteriorOptions, total=False):
+    """A goal, or what is wanted of points inside."""
 
-    def named(function: _Function) -> _Function:
+
+class ReadingOptions(TypedDict, total=False):
+    """How points, polygons and files become a domain; ``mindeg.Domain`` explains each."""
+
+    size: float | None
+    corner_angle: float | None
+    feature: str | int | None
+    layer: str | None
+    name_by: str | None
+    repair: bool | None
+    snap: float | None
+    fill_rule: Literal["evenodd", "nonzero"] | None
+
+
+class _Shown(str):
+    """An annotation as help() is to show it: without quotes."""
+
+    def __repr__(self) -> str:
+        return str(self).replace("npt.", "").replace("_mindeg.", "").replace("os.PathLike[str]", "PathLike")
+
+
+def shows_its_options(*options: type) -> Callable[[_Function], _Function]:
+    """Makes a signature that help() and notebooks show: all options in place of ``**options``, annotations as they are written."""
+
+    def shown(function: _Function) -> _Function:
         signature = inspect.signature(function)
-        *others, _ = signature.parameters.values()
-        for name, kind in options.__annotations__.items():
-            kind = getattr(kind, "__forward_arg__", kind)
-            others.append(inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None, annotation=kind))
-        setattr(function, "__signature__", signature.replace(parameters=others))
+        parameters = [parameter for parameter in signature.parameters.values() if parameter.kind is not parameter.VAR_KEYWORD]
+        for of_one in options:
+            for name, kind in of_one.__annotations__.items():
+                kind = getattr(kind, "__forward_arg__", kind)
+                parameters.append(inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None, annotation=kind))
+        parameters = [
+            parameter if parameter.annotation is parameter.empty else parameter.replace(annotation=_Shown(parameter.annotation))
+            for parameter in parameters
+        ]
+        gives = signature.return_annotation
+        gives = gives if gives is signature.empty else _Shown(gives)
+        setattr(function, "__signature__", signature.replace(parameters=parameters, return_annotation=gives))
         return function
 
-    return named
+    return shown
 
 
-def as_json(options: Mapping[str, object]) -> str:
-    """The options that are given, as the library reads them."""
-    names = InteriorOptions.__annotations__
-    for name in options:
-        if name not in names:
-            raise ValueError(f'no option is named "{name}"; give {", ".join(names)}')
-    return json.dumps({key: plain(value, key) for key, value in options.items() if value is not None})
+def separated(options: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, Any], dict[str, Any]]:
+    """Goals, wishes for points inside, and options of readers, those that are given; any other is a fault."""
+    kinds = (GoalOptions, InteriorOptions, ReadingOptions)
+    found: tuple[dict[str, Any], ...] = ({}, {}, {})
+    for name, value in options.items():
+        place = next((place for place, kind in enumerate(kinds) if name in kind.__annotations__), None)
+        if place is None:
+            names = [key for kind in kinds for key in kind.__annotations__]
+            raise TypeError(f'no option is named "{name}"; the options are {", ".join(names)}')
+        if value is not None and value is not False:
+            found[place][name] = value
+    return found  # type: ignore[return-value]
 
 
-@names_its_options(InteriorOptions)
-def improve(
-    points: "_mindeg.Mesh | npt.ArrayLike", triangles: "npt.ArrayLike | None" = None, **options: "Unpack[InteriorOptions]"
-) -> _mindeg.Mesh:
-    """The optimiser alone on a planar mesh, given as a mesh or as points and triangles: the boundary stays.
+def wish(interior: bool | None, goal: Mapping[str, Any], wanted: Mapping[str, Any]) -> dict[str, Any]:
+    """The mesh that is wanted, as the library reads it."""
+    if interior is not None and not isinstance(interior, bool):
+        raise TypeError(f"interior is {interior!r}; give True or False, and options such as growth beside it")
+    return {"interior": interior, "goal": dict(goal), "options": as_json(wanted)}
 
-    Options as for ``Domain.interior``; ``report["before"]`` has what the mesh was like.
-    """
-    return _mindeg._improve(points, triangles, as_json(options))
+
+def as_json(wanted: Mapping[str, Any]) -> str:
+    """Wishes for points inside that are given, as the library reads them."""
+    return json.dumps({key: plain(value, key) for key, value in wanted.items() if value is not None})

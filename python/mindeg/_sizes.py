@@ -18,8 +18,8 @@ _MOST_CELLS = 200_000
 _TOLERANCE = 0.05
 
 
-def given_sizes(sizes: Any, points: "npt.NDArray[np.float64]") -> Any:
-    """The list of sizes in JSON, for a domain with these boundary points."""
+def given_sizes(sizes: Any, points: "npt.NDArray[np.float64] | None") -> Any:
+    """The list of sizes in JSON, for a domain with these boundary points; functions need the points."""
     if callable(sizes) or isinstance(sizes, (str, os.PathLike, Mapping)):
         sizes = [sizes]
     if isinstance(sizes, np.ndarray) or not isinstance(sizes, Sequence):

@@ -11,7 +11,7 @@ a millisecond. Each output is written whole or not at all, by one task; a task t
 import os
 from collections.abc import Iterable, Mapping
 
-from . import Domain
+from . import mesh
 
 
 def mesh_files(
@@ -21,13 +21,11 @@ def mesh_files(
     *,
     extension: str = "obj",
     chunk: int = 64,
-    interior: Mapping[str, object] | None = None,
-    **goal,
+    **options,
 ) -> dict[str, str | None]:
-    """Mesh every source, which ``Domain`` takes, into ``folder/<name>.<extension>``.
+    """Mesh every source into ``folder/<name>.<extension>``, as ``mindeg.mesh`` does with the same ``options``.
 
-    ``goal`` goes to ``Domain.mesh``; with ``interior``, a dict of options, meshes get interior points. Gives for
-    each name ``None``, or what is wrong with its domain: one fault does not keep the others from their files.
+    Gives for each name ``None``, or what is wrong with its source: one fault does not keep the others from their files.
     """
     folder = os.fspath(folder)
     os.makedirs(folder, exist_ok=True)
@@ -39,8 +37,7 @@ def mesh_files(
         list(_chunks(list(sources.items()), chunk)),
         folder=folder,
         extension=extension,
-        interior=interior,
-        goal=goal,
+        options=options,
         pure=False,
     )
     outcomes: dict[str, str | None] = {}
@@ -55,13 +52,11 @@ def _chunks(items: list, size: int) -> Iterable[list]:
     return (items[start : start + size] for start in range(0, len(items), size))
 
 
-def _mesh_chunk(items, *, folder, extension, interior, goal):
+def _mesh_chunk(items, *, folder, extension, options):
     outcomes = {}
     for name, source in items:
         try:
-            domain = Domain(source)
-            mesh = domain.mesh(**goal) if interior is None else domain.interior(**interior)
-            mesh.save(os.path.join(folder, f"{name}.{extension}"))
+            mesh(source, **options).save(os.path.join(folder, f"{name}.{extension}"))
             outcomes[name] = None
         except (ValueError, OSError) as error:
             outcomes[name] = str(error)

@@ -73,7 +73,7 @@ def test_a_dict_may_hold_numpys_numbers():
 
 def test_interior_points_keep_the_boundary_and_the_degrees():
     domain = mindeg.rectangle(4, 3, intervals=[12, 9, 4, 4])
-    mesh = domain.interior(growth=0.4)
+    mesh = domain.mesh(interior=True, growth=0.4)
     assert np.array_equal(mesh.points[: len(domain.points)], domain.points)
     assert mesh.report["violations"] == []
     assert mesh.report["share_of_limit"] > 0.95
@@ -87,8 +87,8 @@ def test_improving_keeps_the_boundary():
 
 
 def test_an_unknown_option_is_named():
-    with pytest.raises(ValueError, match='no option is named "grow"; give growth'):
-        mindeg.rectangle(4, 3, size=1).interior(grow=1)
+    with pytest.raises(TypeError, match='no option is named "grow"; the options are keep_angle,.* growth,'):
+        mindeg.rectangle(4, 3, size=1).mesh(interior=True, grow=1)
 
 
 def test_comparing_gives_the_report():
@@ -149,7 +149,7 @@ def test_every_goal_has_a_python_type():
     assert set(GoalOptions.__annotations__) == goals
     domain = mindeg.rectangle(4, 3, intervals=[12, 9, 4, 4])
     assert domain.mesh(optimize="angle").max_degree == 5
-    with pytest.raises(ValueError, match="no goal is named"):
+    with pytest.raises(TypeError, match="no option is named"):
         domain.mesh(minimise=3)
 
 
@@ -163,7 +163,7 @@ def frame():
 
 def test_a_geodataframe_is_a_map_of_regions_named_by_a_column():
     domain = mindeg.Domain(frame().iloc[:2], name_by="use", size=0.5)
-    mesh = domain.interior()
+    mesh = domain.mesh(interior=True)
     assert set(mesh.groups) == {"wheat", "rye"}
     assert area(mesh) == pytest.approx(8)
     border = mesh.points[np.unique(mesh.lines["wheat | rye"])]
@@ -174,7 +174,7 @@ def test_parts_of_a_map_that_do_not_hang_together_are_one_mesh():
     frames = frame()
     with pytest.raises(ValueError, match="has 3 polygons"):
         mindeg.Domain(frames, name_by="use")
-    mesh = mindeg.mesh_map(frames, name_by="use", size=0.5)
+    mesh = mindeg.mesh(frames, interior=True, name_by="use", size=0.5)
     assert area(mesh) == pytest.approx(9)
     sums = {name: area_of(mesh, triangles) for name, triangles in mesh.groups.items()}
     assert sums == pytest.approx({"wheat": 4, "rye": 5})
@@ -192,20 +192,19 @@ def test_what_a_map_cannot_be_is_said():
     geometry = {"type": "MultiPolygon", "coordinates": boxes}
     overlap = {"type": "Feature", "properties": {"crop": "oats"}, "geometry": geometry}
     with pytest.raises(ValueError, match="there"):
-        mindeg.mesh_map(overlap)
-    with pytest.warns(UserWarning, match="an area of 1.00e0, where polygons overlap"):
-        mesh = mindeg.mesh_map(overlap, repair=True, size=1)
+        mindeg.mesh(overlap, interior=True)
+    with pytest.warns(UserWarning, match="an area of 1, where polygons overlap"):
+        mesh = mindeg.mesh(overlap, interior=True, repair=True, size=1)
     assert area(mesh) == pytest.approx(7)
     for options, message in [
         ({"snap": 0.1}, "snap is for repair=True alone"),
         ({"snap": -1.0, "repair": True}, "snap is -1; give a length above 0"),
         ({"layer": "states"}, "layer"),
-        ({"fixed_points": [[1, 1]]}, "fixed_points are for a single domain"),
         ({"sizes": lambda points: points[:, 0]}, "a function is for a single domain"),
         ({"name_by": "use"}, "no feature has the property"),
     ]:
         with pytest.raises(ValueError, match=".*") as raised:
-            mindeg.mesh_map(overlap, **options)
+            mindeg.mesh(overlap, interior=True, **options)
         assert message in str(raised.value), options
     with pytest.raises(TypeError, match="int has no polygons"):
-        mindeg.mesh_map(3)
+        mindeg.mesh(3)

@@ -66,8 +66,8 @@ def test_a_number_that_is_none_is_refused_by_its_key():
         ("corners[0]", lambda: mindeg.polygon([[nan, 0], [1, 0], [1, 1]], intervals=1)),
         ("holes[0][3]", lambda: mindeg.polygon(SQUARE, holes=[[[1, 1], [2, 1], [2, 2], [nan, 1]]], size=1)),
         ("points[1]", lambda: mindeg.Mesh([[0, 0], [1, nan], [1, 1]], [[0, 1, 2]])),
-        ("sizes[0][2]", lambda: mindeg.Domain(SQUARE).interior(sizes=[(1, 1, nan)])),
-        ("fixed_points[1][0]", lambda: mindeg.Domain(SQUARE).interior(fixed_points=[(1, 1), (nan, 1)])),
+        ("sizes[0][2]", lambda: mindeg.Domain(SQUARE).mesh(interior=True, sizes=[(1, 1, nan)])),
+        ("fixed_points[1][0]", lambda: mindeg.Domain(SQUARE).mesh(interior=True, fixed_points=[(1, 1), (nan, 1)])),
     ]:
         said = refusal(call)
         assert said.startswith((f"{key} is ", f"{key} has ")) and "finite number" in said, said
@@ -114,18 +114,18 @@ def test_a_closed_ring_of_an_array_is_the_open_one():
 def test_interior_takes_arrays_and_numpys_numbers():
     domain = mindeg.rectangle(4, 3, intervals=8)
     sizes, points = np.array([[2, 1, 0.1]], "f4"), np.array([[1, 1], [3, 2]])
-    mesh = domain.interior(sizes=sizes, fixed_points=points, growth=np.float32(0.5), interior_degree=np.array([5, 7]))
+    mesh = domain.mesh(interior=True, sizes=sizes, fixed_points=points, growth=np.float32(0.5), interior_degree=np.array([5, 7]))
     assert np.array_equal(mesh.points[32:34], points)
-    plain = domain.interior(sizes=[(2, 1, float(np.float32(0.1)))], fixed_points=[(1, 1), (3, 2)], growth=0.5)
+    plain = domain.mesh(interior=True, sizes=[(2, 1, float(np.float32(0.1)))], fixed_points=[(1, 1), (3, 2)], growth=0.5)
     assert np.array_equal(plain.points, mesh.points)
-    assert len(domain.interior(sizes=[], fixed_points=[]).points) > 32
+    assert len(domain.mesh(interior=True, sizes=[], fixed_points=[]).points) > 32
 
 
 def test_options_are_in_the_signatures():
     """They were **options, of which neither help() nor an editor knew one."""
     options = {"growth", "size_inside", "interior_degree", "boundary_degree", "target_angle"}
     options |= {"prefer", "sizes", "fixed_points", "max_points"}
-    for function in (mindeg.Domain.interior, mindeg.improve):
+    for function in (mindeg.mesh, mindeg.Domain.mesh, mindeg.improve):
         assert options <= set(inspect.signature(function).parameters)
     for function in (mindeg.Domain, mindeg.inspect):
         assert "corner_angle" in inspect.signature(function).parameters

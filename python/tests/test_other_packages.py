@@ -16,7 +16,7 @@ def mesh(request):
         triangles = [[0, 1, 2], [0, 2, 3], [3, 2, 4], [3, 4, 5]]
         return mindeg.Mesh(np.array(points, float), triangles, "roof")
     domain = mindeg.rectangle(4, 3, intervals=[12, 9, 4, 4], names=["a", "b", "c", "d"])
-    return domain.mesh() if request.param == "boundary" else domain.interior()
+    return domain.mesh() if request.param == "boundary" else domain.mesh(interior=True)
 
 
 def area(mesh):

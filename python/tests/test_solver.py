@@ -44,7 +44,7 @@ def boundary(tmp_path_factory):
 
 def test_a_gmsh_boundary_becomes_a_mesh_that_scikit_fem_solves_on(boundary, tmp_path):
     domain = mindeg.Domain(boundary)
-    mesh = domain.interior(growth=0.3)
+    mesh = domain.mesh(interior=True, growth=0.3)
     assert np.array_equal(mesh.points[: len(domain.points)], domain.points)
     assert mesh.report["interior_points"] > 20
     path = tmp_path / "mesh.msh"
@@ -65,7 +65,7 @@ def test_a_finer_boundary_gives_a_better_solution(boundary, tmp_path):
     errors = []
     for size in (0.4, 0.2, 0.1):
         path = tmp_path / f"{size}.msh"
-        mindeg.Domain(boundary, size=size).interior().save(path)
+        mindeg.Domain(boundary, size=size).mesh(interior=True).save(path)
         plate = skfem.MeshTri.load(path)
         error = poisson_error(plate, lambda x, y: x * x - y * y, lambda x, y: (2 * x, -2 * y))
         errors.append(error)

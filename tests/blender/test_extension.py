@@ -2,7 +2,10 @@
 
 import importlib.util
 import math
+import os
 import sys
+import time
+import zipfile
 from pathlib import Path
 
 import bpy  # Before bmesh, which it brings.
@@ -12,14 +15,20 @@ import pytest
 EXTENSION = Path(__file__).resolve().parents[2] / "blender"
 
 
-@pytest.fixture(scope="session", autouse=True)
-def extension():
+def loaded():
+    """The extension, as Blender would load it."""
     spec = importlib.util.spec_from_file_location(
         "mindeg_extension", EXTENSION / "__init__.py", submodule_search_locations=[str(EXTENSION)]
     )
     module = importlib.util.module_from_spec(spec)
     sys.modules["mindeg_extension"] = module
     spec.loader.exec_module(module)
+    return module
+
+
+@pytest.fixture(scope="session", autouse=True)
+def extension():
+    module = loaded()
     module.register()
     yield module
     module.unregister()
@@ -69,12 +78,12 @@ def circle(count, height=0.0, radius=1.0, wave=0.0):
 def test_filling_a_loop_has_fewer_edges_at_a_vertex_than_blenders_fill(points, ours):
     edges = ring_edges(len(points))
     thing = edit(points, edges)
-    assert bpy.ops.mesh.mindeg_fill() == {"FINISHED"}
+    assert bpy.ops.mesh.mindeg_fill(keep_angle=0) == {"FINISHED"}
     degree, faces, area, _ = measured(thing)
     assert (degree, faces) == (ours, len(points) - 2)
 
     theirs = edit(points, edges)
-    bpy.ops.mesh.fill(use_beauty=False)
+    bpy.ops.mesh.fill()
     assert measured(theirs)[0] > ours
     assert area == pytest.approx(measured(theirs)[2], rel=1e-5)
 
@@ -82,7 +91,7 @@ def test_filling_a_loop_has_fewer_edges_at_a_vertex_than_blenders_fill(points, o
 def test_an_n_gon_is_retriangulated_in_place():
     points = rectangle()
     thing = edit(points, faces=[range(len(points))])
-    assert bpy.ops.mesh.mindeg_fill() == {"FINISHED"}
+    assert bpy.ops.mesh.mindeg_fill(keep_angle=0) == {"FINISHED"}
     degree, faces, area, bm = measured(thing)
     assert (degree, faces) == (5, 27)
     assert area == pytest.approx(12, rel=1e-6)
@@ -161,8 +170,8 @@ def test_the_edges_beside_a_hole_count():
 def test_an_n_gon_off_its_plane_is_filled_as_a_loop_in_space():
     saddle = circle(20, wave=0.3)
     thing = edit(saddle, faces=[range(20)])
-    with pytest.raises(RuntimeError, match="off its plane; keep_angle needs a planar loop"):
-        bpy.ops.mesh.mindeg_fill(keep_angle=0.9)
+    with pytest.raises(RuntimeError, match="off its plane; interior points need a planar loop"):
+        bpy.ops.mesh.mindeg_fill(interior=True)
     assert measured(thing)[1] == 1
     assert bpy.ops.mesh.mindeg_fill(max_degree=6) == {"FINISHED"}
     degree, faces, _, _ = measured(thing)
@@ -214,3 +223,196 @@ def test_a_selection_that_is_no_loop_is_refused_in_words():
     edit([(0, 0, 0), (1, 0, 0), (1, 1, 0)], [(0, 1), (1, 2)])
     with pytest.raises(RuntimeError, match="select closed loops"):
         bpy.ops.mesh.mindeg_fill()
+
+
+def min_angle(thing):
+    bm = bmesh.from_edit_mesh(thing.data)
+    angles = [corner.calc_angle() for face in bm.faces for corner in face.loops]
+    return math.degrees(min(angles))
+
+
+@pytest.mark.parametrize("rings", [[circle(32, radius=4), circle(12, radius=1.5)], [circle(32)], [rectangle()]], ids=["annulus", "circle", "rectangle"])
+def test_the_default_has_blenders_angle_or_nearly_so_at_no_larger_degree(rings):
+    points = [point for ring in rings for point in ring]
+    edges, first = [], 0
+    for ring in rings:
+        edges += ring_edges(len(ring), first)
+        first += len(ring)
+    ours = edit(points, edges)
+    assert bpy.ops.mesh.mindeg_fill() == {"FINISHED"}
+    degree, angle = measured(ours)[0], min_angle(ours)
+    theirs = edit(points, edges)
+    bpy.ops.mesh.fill()
+    assert degree <= measured(theirs)[0]
+    assert angle >= 0.95 * min_angle(theirs)
+
+
+def painted(thing):
+    """UVs and colors by position, two materials and a smooth face; gives what each corner has, by material and position."""
+    bm = bmesh.from_edit_mesh(thing.data)
+    uv = bm.loops.layers.uv.new("map")
+    color = bm.loops.layers.float_color.new("paint")
+    for index, face in enumerate(bm.faces):
+        face.material_index, face.smooth = index % 2, bool(index % 2)
+        for corner in face.loops:
+            x, y, _ = corner.vert.co
+            corner[uv].uv = (x / 8 + index, y / 8)
+            corner[color] = (0.5 + x / 8, 0.5 + y / 8, index / 8, 1)
+    return corners(bm)
+
+
+def corners(bm):
+    uv, color = bm.loops.layers.uv["map"], bm.loops.layers.float_color["paint"]
+    return {
+        (face.material_index, face.smooth, tuple(corner.vert.co), tuple(corner[uv].uv), tuple(corner[color]))
+        for face in bm.faces
+        for corner in face.loops
+    }
+
+
+@pytest.mark.parametrize("options", [{}, {"interior": True}])
+def test_retriangulated_faces_keep_uvs_colors_and_materials(options):
+    thing = edit(circle(42) + [(2, -1, 0), (2, 1, 0)], faces=[range(42), [0, 42, 43, 1]])
+    before = painted(thing)
+    assert len(before) == 46
+    bpy.ops.mesh.select_all(action="SELECT")
+    bm = bmesh.from_edit_mesh(thing.data)
+    bm.faces.ensure_lookup_table()
+    assert bpy.ops.mesh.mindeg_fill(**options) == {"FINISHED"}
+    after = corners(bmesh.from_edit_mesh(thing.data))
+    assert before <= after
+    if not options:
+        assert before == after
+    # New points lie between those around.
+    for material, smooth, (x, y, _), uv, color in after:
+        if material == 0:
+            assert uv == pytest.approx((x / 8, y / 8), abs=1e-3)
+            assert color[:2] == pytest.approx((0.5 + x / 8, 0.5 + y / 8), abs=1e-3) and not smooth
+
+
+@pytest.mark.parametrize("options", [{}, {"interior": True}])
+def test_a_filled_hole_takes_uvs_and_material_from_the_faces_beside(options):
+    outer, inner = circle(16, radius=2), circle(16)
+    thing = edit(outer + inner, faces=[(i, (i + 1) % 16, 16 + (i + 1) % 16, 16 + i) for i in range(16)])
+    bm = bmesh.from_edit_mesh(thing.data)
+    uv = bm.loops.layers.uv.new("map")
+    for face in bm.faces:
+        face.material_index = 1
+        for corner in face.loops:
+            corner[uv].uv = corner.vert.co.xy
+    assert bpy.ops.mesh.mindeg_fill(**options) == {"FINISHED"}
+    bm = bmesh.from_edit_mesh(thing.data)
+    uv = bm.loops.layers.uv["map"]
+    # The rim of the flat sheet stays open.
+    assert sum(face.calc_area() for face in bm.faces) == pytest.approx(8 * math.sin(math.pi / 8) * 4, rel=1e-5)
+    for face in bm.faces:
+        assert face.material_index == 1
+        for corner in face.loops:
+            assert tuple(corner[uv].uv) == pytest.approx(tuple(corner.vert.co.xy), abs=1e-3)
+    assert all(edge.is_boundary or edge.is_contiguous for edge in bm.edges)
+
+
+def open_tube(tubes=3, count=12):
+    """Tubes beside each other without ends."""
+    points, faces = [], []
+    for tube in range(tubes):
+        first = len(points)
+        for height in (0, 1):
+            points += [(x + 4 * tube, y, z) for x, y, z in circle(count, height=height)]
+        faces += [
+            (first + i, first + (i + 1) % count, first + count + (i + 1) % count, first + count + i) for i in range(count)
+        ]
+    return points, faces
+
+
+def test_with_all_selected_the_holes_are_filled_and_the_quads_stay():
+    points, quads = open_tube()
+    thing = edit(points, faces=quads)
+    assert bpy.ops.mesh.mindeg_fill() == {"FINISHED"}
+    _, faces, _, bm = measured(thing)
+    assert sum(len(face.verts) == 4 for face in bm.faces) == 36
+    assert faces == 36 + 6 * 10
+    assert all(edge.is_manifold and edge.is_contiguous for edge in bm.edges)
+
+
+def test_one_sentence_tells_how_many(extension):
+    loops = extension.operators.loops
+    patches = []
+    for x in range(3):
+        points = [(px + 4 * x, py, pz) for px, py, pz in circle(12)]
+        patches.append(loops.Patch(list(range(12 * x, 12 * x + 12)), [points]))
+    loops.fill_all(patches, [], keep_angle=0.95)
+    said = loops.said(patches, "hole")
+    assert said == "Filled 3 holes with 30 triangles: degree at most 4, minimum angle 15.0°"
+    patches[1].fault = "it is too large"
+    assert loops.said(patches, "hole").endswith("; 1 hole stays as it is: it is too large")
+    assert loops.said(patches[:1], "face") == "Made 10 triangles of 1 face: degree 4 (least possible 4), minimum angle 15.0°"
+
+
+def test_a_flat_sheet_is_not_closed_by_a_second_one():
+    # Quads, all selected, no hole: they are retriangulated.
+    grid = [(x, y, 0) for y in range(4) for x in range(4)]
+    quads = [(x + 4 * y, x + 1 + 4 * y, x + 5 + 4 * y, x + 4 + 4 * y) for y in range(3) for x in range(3)]
+    thing = edit(grid, faces=quads)
+    assert bpy.ops.mesh.mindeg_fill() == {"FINISHED"}
+    _, faces, area, _ = measured(thing)
+    assert (faces, area) == (18, pytest.approx(9))
+    # Now there is nothing left to do.
+    bpy.ops.mesh.select_all(action="SELECT")
+    with pytest.raises(RuntimeError, match="the rim of a flat sheet stays open"):
+        bpy.ops.mesh.mindeg_fill()
+
+
+def test_holes_that_touch_are_both_filled():
+    # A grid of 4 by 4 quads without two that share a corner; the far ones are bent up, so that it is no flat sheet.
+    grid = [(x, y, 0.2 * max(0, x - 3)) for y in range(5) for x in range(5)]
+    quads = [
+        (x + 5 * y, x + 1 + 5 * y, x + 6 + 5 * y, x + 5 + 5 * y)
+        for y in range(4)
+        for x in range(4)
+        if (x, y) not in ((1, 1), (2, 2))
+    ]
+    thing = edit(grid, faces=quads)
+    bm = bmesh.from_edit_mesh(thing.data)
+    bpy.ops.mesh.select_all(action="DESELECT")
+    for edge in bm.edges:
+        edge.select = edge.is_boundary and all(0 < vertex.co.x < 4 and 0 < vertex.co.y < 4 for vertex in edge.verts)
+    assert bpy.ops.mesh.mindeg_fill() == {"FINISHED"}
+    _, faces, _, bm = measured(thing)
+    assert faces == 14 + 4 and sum(edge.is_boundary for edge in bm.edges) == 16
+
+
+def test_long_work_tells_how_far_it_is_and_ends_when_cancelled(extension):
+    working, mindeg = extension.operators.working, extension.operators.mindeg
+    quick = working.Work(lambda: 7)
+    assert quick.is_over(wait=10) and quick.result() == 7
+
+    def fails():
+        raise ValueError("no")
+
+    failed = working.Work(fails)
+    assert failed.is_over(wait=10)
+    with pytest.raises(ValueError, match="no"):
+        failed.result()
+
+    loop = circle(900, wave=0.3)
+    long = working.Work(lambda: mindeg.fill_loop(loop, max_degree=6))
+    assert not long.is_over(wait=0.5)
+    began = time.monotonic()
+    long.cancel()
+    assert long.is_over(wait=30) and long.result() is None
+    assert time.monotonic() - began < 20
+    assert long.words.startswith("mindeg: "), long.words
+
+
+def test_the_zip_has_the_operators_and_the_wheel():
+    path = os.environ.get("MINDEG_EXTENSION")
+    if not path:
+        pytest.skip("the zip is built by tests/blender/run")
+    with zipfile.ZipFile(path) as zipped:
+        names = set(zipped.namelist())
+        manifest = zipped.read("blender_manifest.toml").decode()
+    wheel = next(name for name in names if name.endswith(".whl"))
+    assert {"__init__.py", "operators.py", "loops.py", "working.py", "LICENSE"} <= names
+    assert f'wheels = ["./{wheel}"]' in manifest and "platforms = [" in manifest
+    assert Path(path).name.startswith("mindeg-")

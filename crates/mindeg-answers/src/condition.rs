@@ -1,6 +1,6 @@
 //! What conditioning did to a boundary.
 
-use crate::numbers::{angle, count, four_digits};
+use crate::numbers::{count, four_digits, steady_angle};
 use mindeg::Domain;
 use mindeg::interior::{ChangeKind, Conditioned, Reason};
 use schemars::JsonSchema;
@@ -132,8 +132,8 @@ impl ConditionAnswer {
         let _ = writeln!(
             text,
             "{moved}. The minimum angle of a mesh can be {}, {} before.",
-            angle(self.angle_limit),
-            angle(self.angle_limit_before)
+            steady_angle(self.angle_limit),
+            steady_angle(self.angle_limit_before)
         );
         if !self.left.is_empty() {
             let _ = writeln!(
@@ -144,7 +144,12 @@ impl ConditionAnswer {
         }
         for row in self.left.iter().take(MOST_LEFT) {
             let [x, y] = row.at;
-            let _ = writeln!(text, "  at ({x}, {y}): {}; {}", angle(row.angle_limit), row.reason);
+            let _ = writeln!(
+                text,
+                "  at ({x}, {y}): {}; {}",
+                steady_angle(row.angle_limit),
+                row.reason
+            );
         }
         if self.left.len() > MOST_LEFT {
             let _ = writeln!(text, "  and {} more; --json lists all", self.left.len() - MOST_LEFT);

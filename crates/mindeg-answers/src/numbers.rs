@@ -9,32 +9,7 @@
 /// More decimals than these do not fit a column; smaller numbers are written with an exponent.
 const MAX_DECIMALS: i32 = 4;
 
-/// `value` with at most `digits >= 1` significant digits, and without trailing zeros.
-///
-/// ```
-/// use mindeg_answers::numbers::significant;
-///
-/// assert_eq!([6.340_19, 59.999_96, 1.234e-7].map(|v| significant(v, 3)), ["6.34", "60", "1.23e-7"]);
-/// ```
-#[must_use]
-pub fn significant(value: f64, digits: usize) -> String {
-    if !value.is_finite() {
-        return if value > 0.0 { "∞".into() } else { "–".into() };
-    }
-    let scientific = format!("{value:.*e}", digits - 1);
-    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
-    let power: i32 = exponent.parse().unwrap_or(0);
-    let trimmed = |text: &str| match text.contains('.') {
-        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
-        false => text.to_owned(),
-    };
-    if (-5..9).contains(&power) {
-        let decimals = (digits as i32 - 1 - power).max(0) as usize;
-        trimmed(&format!("{value:.decimals$}"))
-    } else {
-        format!("{}e{power}", trimmed(mantissa))
-    }
-}
+pub use mindeg_mesh::significant;
 
 /// A number with four significant digits, trailing zeros too; infinity as ∞.
 ///
@@ -59,18 +34,7 @@ pub fn four_digits(value: f64) -> String {
     }
 }
 
-/// An angle in degrees, to four significant digits.
-///
-/// ```
-/// assert_eq!(mindeg_answers::numbers::angle(143.1025), "143.1°");
-/// ```
-#[must_use]
-pub fn angle(degrees: f64) -> String {
-    format!("{}°", significant(degrees, 4))
-}
-
-/// An angle in degrees beside others that are not in a column: to three decimals, and one too small
-/// for them as in [`angle`].
+/// An angle in degrees, where it is not in a column: to three decimals, and one too small for them to four significant digits.
 ///
 /// ```
 /// use mindeg_answers::numbers::steady_angle;
@@ -79,7 +43,7 @@ pub fn angle(degrees: f64) -> String {
 /// ```
 #[must_use]
 pub fn steady_angle(degrees: f64) -> String {
-    if degrees < 0.1 { angle(degrees) } else { format!("{degrees:.3}°") }
+    if degrees < 0.1 { format!("{}°", significant(degrees, 4)) } else { format!("{degrees:.3}°") }
 }
 
 /// The numbers of a column: all with the same number of decimals.

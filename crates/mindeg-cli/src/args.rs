@@ -94,33 +94,50 @@ pub(crate) struct Arguments {
 }
 
 impl Arguments {
-    /// The command line, with help in two lengths.
+    /// The command line.
     pub(crate) fn whole() -> clap::Command {
-        first_screen::shortened(<Self as clap::CommandFactory>::command())
+        <Self as clap::CommandFactory>::command()
+    }
+
+    /// The same command line, for those who ask for help by `-h`.
+    pub(crate) fn short() -> clap::Command {
+        first_screen::shortened(Self::whole())
     }
 }
 
+/// The commands, in the order in which people need them.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    Degree(DegreeArguments),
-    Suggest(SuggestArguments),
     Mesh(MeshArguments),
-    Domain(DescribeArguments),
-    Condition(ConditionArguments),
+    Degree(DegreeArguments),
     Tradeoff(TradeoffArguments),
     Compare(CompareArguments),
+    Suggest(SuggestArguments),
+    Domain(DescribeArguments),
+    Condition(ConditionArguments),
     Inspect(InspectArguments),
     Verify(VerifyArguments),
     Improve(ImproveArguments),
     Remesh(RemeshArguments),
+    Fill(FillArguments),
+    Bridge(BridgeArguments),
     View(ViewArguments),
     Explore(ExploreArguments),
     Convert(ConvertArguments),
-    Fill(FillArguments),
-    Bridge(BridgeArguments),
+    Formats(FormatsArguments),
     Schema(SchemaArguments),
     Completions(CompletionsArguments),
 }
+
+const FORMATS: &str = "\
+Examples:
+  mindeg formats
+  mindeg formats | grep -i gmsh";
+
+/// List the formats of files, and the programs whose rules --preset checks
+#[derive(Debug, Args)]
+#[command(after_help = FORMATS)]
+pub(crate) struct FormatsArguments {}
 
 const SCHEMA: &str = "\
 Examples:

@@ -22,12 +22,7 @@ pub(crate) fn index_of(
     let at = |vertex: u32| mesh.positions()[vertex as usize];
     let found = match choice {
         LoopChoice::Number(number) => (number <= list.len()).then(|| number - 1),
-        LoopChoice::Vertex(vertex) => {
-            // A vertex at the same position as one on the loop is on it, too.
-            let position = mesh.positions().get(vertex as usize);
-            let is_on = |found: &MeshLoop| found.vertices.iter().any(|&v| Some(&at(v)) == position);
-            list.iter().position(is_on)
-        }
+        LoopChoice::Vertex(vertex) => loops.through(vertex),
         LoopChoice::Near(point) => {
             let point = DVec3::from(point);
             let distance = |found: &MeshLoop| {

@@ -24,6 +24,7 @@ mod domain;
 mod explore;
 mod failure;
 mod fill;
+mod formats;
 mod improve;
 mod inspect;
 mod interrupt;
@@ -59,7 +60,9 @@ fn main() -> ExitCode {
     let words: Vec<OsString> = env::args_os().collect();
     let color = terminal::color_choice(&words);
     terminal::set_color(color);
-    let matches = Arguments::whole().color(color).try_get_matches_from(&words);
+    let asks_briefly = words.iter().any(|word| word == "-h");
+    let command = if asks_briefly { Arguments::short() } else { Arguments::whole() };
+    let matches = command.color(color).try_get_matches_from(&words);
     let mut arguments = match matches.and_then(|matches| Arguments::from_arg_matches(&matches)) {
         Ok(arguments) => arguments,
         Err(error) => return without_a_run(&error, &words),
@@ -77,6 +80,7 @@ fn run(command: &Command) -> Result<(), Failure> {
     match command {
         Command::Degree(arguments) => shared(|| degree::run(arguments)),
         Command::Suggest(arguments) => shared(|| suggest::run(arguments)),
+        Command::Formats(_) => formats::run(),
         Command::Schema(arguments) => schema::run(arguments),
         Command::Completions(arguments) => completions::run(arguments),
         Command::Inspect(arguments) => shared(|| inspect::run(arguments)),

@@ -5,6 +5,7 @@
 
 use glam::DVec2;
 use mindeg_mesh::planar::{InRing, ring_name};
+use mindeg_mesh::significant;
 
 use crate::curve::Curve;
 use crate::error::{DomainError, Place, counted};
@@ -126,8 +127,10 @@ fn check_distance(ring: usize, corners: &[DVec2], first: usize) -> Result<(), Do
     // The longer difference alone decides whether a side is too short.
     if span.max_element() < LEAST_SIDE || distance < LEAST_ROUNDINGS * rounding {
         return error(format!(
-            "{both} coincide: their distance is {distance:.1e}, and the minimum at these coordinates \
-             is {least:.1e}; drop one of them"
+            "{both} coincide: their distance is {}, and the minimum at these coordinates is {}; \
+             drop one of them",
+            significant(distance, 2),
+            significant(least, 2)
         ));
     }
     Ok(())

@@ -9,6 +9,7 @@
 
 use glam::{DVec2, DVec3};
 use mindeg_mesh::planar::{InRing, PlanarBoundary};
+use mindeg_mesh::significant;
 use mindeg_mesh::{Bounds, Positions};
 
 use crate::error::{DomainError, Place};
@@ -109,12 +110,14 @@ impl Placement {
             return Ok(());
         }
         let length = share * start.distance(end);
-        Err(Place::key("spacing").error(format!(
-                "its shortest interval is {length:.1e} long, too short to be told from nothing at the \
+        Err(Place::key("spacing")
+            .error(format!(
+                "its shortest interval is {} long, too short to be told from nothing at the \
                  size of the side's coordinates; use fewer intervals or a gentler law, or move the \
-                 domain towards the origin"
+                 domain towards the origin",
+                significant(length, 2)
             ))
-        .of_side(side))
+            .of_side(side))
     }
 
     /// Checks that no points coincide next to the corners of a convex domain, either way round; at
@@ -137,10 +140,11 @@ impl Placement {
             if distance < LEAST_ROUNDINGS * rounding {
                 let corner = self.rings.in_ring(side);
                 return Err(Place::corner(corner).error(format!(
-                    "{}: the points next to it are {distance:.1e} from the other side, too close \
+                    "{}: the points next to it are {} from the other side, too close \
                          to be told apart at the size of the coordinates; make the intervals there \
                          longer or the angle larger, or move the domain towards the origin",
-                    corner.corner()
+                    corner.corner(),
+                    significant(distance, 2)
                 )));
             }
         }

@@ -5,6 +5,7 @@
 use glam::DVec2;
 use mindeg_core::MAX_VERTICES;
 use mindeg_mesh::LineKind;
+use mindeg_mesh::significant;
 
 use crate::curve::Curve;
 use crate::error::{DomainError, Place};
@@ -113,8 +114,9 @@ impl Intervals {
                 let intervals = (length / size).round().max(1.0);
                 if intervals > f64::from(MAX_VERTICES) {
                     return Err(Place::key("size").error(format!(
-                        "the size {size:?} makes {intervals:.1e} intervals, and a boundary has at \
-                             most {MAX_VERTICES} vertices; give a larger size"
+                        "the size {size:?} makes {} intervals, and a boundary has at most \
+                         {MAX_VERTICES} vertices; give a larger size",
+                        significant(intervals, 2)
                     )));
                 }
                 Ok(intervals as u64)

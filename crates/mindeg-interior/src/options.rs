@@ -6,6 +6,7 @@ use mindeg_delaunay::DelaunayError;
 use mindeg_domain::{DomainError, Interior, Size, SizeAt, SizeFile, SizeFrom};
 use mindeg_mesh::Cancelled;
 use mindeg_mesh::planar::{BoundaryFaults, PlanarBoundary};
+use mindeg_mesh::significant;
 use std::collections::BTreeMap;
 use std::ops::Range;
 use thiserror::Error;
@@ -132,10 +133,10 @@ pub enum InteriorError {
     },
     /// Coordinates that cannot hold a point and its neighbours apart.
     #[error(
-        "no point fits at ({}, {}): edges there would be {size:.3e} long, and the largest coordinate of \
-         the boundary is rounded to {rounding:.1e}; move the domain towards the origin, or mesh it \
+        "no point fits at ({}, {}): edges there would be {} long, and the largest coordinate of \
+         the boundary is rounded to {}; move the domain towards the origin, or mesh it \
          without interior points",
-        at[0], at[1]
+        at[0], at[1], significant(*size, 4), significant(*rounding, 2)
     )]
     NoRoom {
         /// The place.

@@ -5,6 +5,7 @@
 //! touches another ring of its polygon at a vertex is parted from it by moving that vertex a little
 //! into the hole.
 
+use mindeg_mesh::significant;
 use std::collections::BTreeSet;
 
 use glam::DVec2;
@@ -108,7 +109,10 @@ fn note(
     }
     if moved > 0 {
         let vertices = if moved == 1 { "1 vertex".to_owned() } else { format!("{moved} vertices") };
-        said.push(format!("moved {vertices} of touching holes by {farthest:.2e} at most"));
+        said.push(format!(
+            "moved {vertices} of touching holes by {} at most",
+            significant(farthest, 3)
+        ));
     }
     (!said.is_empty()).then(|| format!("repaired {whose}: {}", said.join("; ")))
 }

@@ -1,23 +1,18 @@
 //! A domain: what to mesh.
 
-use std::borrow::Cow;
-
-use mindeg::changes::count_changes;
-use mindeg::glam::DVec3;
-use mindeg::{Domain as Inner, GOALS, Goal, Positions, exact};
-use mindeg_answers::interior::InteriorAnswer;
-use mindeg_answers::mesh::found_by;
-use mindeg_mesh::filled;
-use numpy::PyArray2;
-use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use std::hash::{DefaultHasher, Hash, Hasher};
 
 use crate::answers::{Degree, Suggestion, TradeOffPoint};
 use crate::arrays;
-use crate::dict::dict;
-use crate::interior;
 use crate::mesh::{Facts, Mesh};
+use crate::wish::Wish;
 use crate::work::{done, value_error};
+use mindeg::changes::count_changes;
+use mindeg::glam::DVec3;
+use mindeg::{Domain as Inner, DomainJsonError, Positions, exact};
+use mindeg_mesh::filled;
+use numpy::PyArray2;
+use pyo3::prelude::*;
 
 /// A polygon with its boundary points.
 #[pyclass(module = "mindeg", frozen, subclass, name = "_Domain")]
@@ -27,11 +22,23 @@ pub(crate) struct Domain {
     json: String,
 }
 
+impl Domain {
+    pub(crate) fn inner(&self) -> &Inner {
+        &self.inner
+    }
+}
+
 #[pymethods]
 impl Domain {
+    /// With `names`, the text was made of arguments: a fault then names these, and no line.
     #[new]
-    fn from_json(json: String) -> PyResult<Self> {
-        Ok(Self { inner: Inner::from_json(&json).map_err(value_error)?, json })
+    #[pyo3(signature = (json, names=None))]
+    fn from_json(json: String, names: Option<Vec<(String, String)>>) -> PyResult<Self> {
+        let inner = Inner::from_json(&json).map_err(|error| match &names {
+            None => value_error(error),
+            Some(names) => value_error(in_arguments(&error, names)),
+        })?;
+        Ok(Self { inner, json })
     }
 
     /// The domain as JSON, as `mindeg mesh` reads it.
@@ -61,34 +68,9 @@ impl Domain {
         Ok(Degree { reached: found.reached, at_least: found.at_least })
     }
 
-    /// The mesh of a goal; the package names the options.
-    #[pyo3(name = "_mesh", signature = (**goal))]
-    fn mesh(&self, py: Python<'_>, goal: Option<&Bound<'_, PyDict>>) -> PyResult<Mesh> {
-        let goal = goal.map_or(Ok(Goal::default()), read_goal)?;
-        let meshed = done(py, |progress| mindeg::mesh(&self.inner, goal, progress))?;
-        let facts = Facts {
-            least_max_degree: meshed.is_least_proven.then_some(meshed.least_max_degree),
-            found_by: Some(found_by(meshed.found_by).to_owned()),
-            report: None,
-        };
-        Ok(Mesh::new(meshed.mesh, facts))
-    }
-
-    /// A mesh with interior points; the package names the options.
-    #[pyo3(name = "_interior")]
-    fn interior(&self, py: Python<'_>, options: &str) -> PyResult<Mesh> {
-        let base = self.inner.interior().cloned().unwrap_or_default();
-        let (wanted, points) = interior::wanted(options, &base)?;
-        let mut domain = Cow::Borrowed(&self.inner);
-        if !points.is_empty() {
-            let mut inside = self.inner.inside().clone();
-            inside.points.extend(points);
-            domain = Cow::Owned(self.inner.with_inside(inside).map_err(value_error)?);
-        }
-        let found = done(py, |progress| mindeg::interior::mesh(&domain, &wanted, progress))?;
-        let report = dict(py, &InteriorAnswer::from(&found))?.cast_into::<PyDict>()?.unbind();
-        let facts = Facts { report: Some(report), ..Facts::default() };
-        Ok(Mesh::new(found.mesh, facts))
+    /// The mesh that is wished for; the package names the options.
+    fn _mesh(&self, py: Python<'_>, wish: Wish<'_>) -> PyResult<Mesh> {
+        wish.mesh_of(py, &self.inner)
     }
 
     /// The best mesh for every maximum degree, from the least one on.
@@ -147,6 +129,14 @@ impl Domain {
         String::from_utf8(json).map_err(value_error)
     }
 
+    fn __eq__(&self, other: &Self) -> bool {
+        self.inner == other.inner
+    }
+
+    fn __hash__(&self) -> u64 {
+        hash_of(self.inner.placement())
+    }
+
     fn __repr__(&self) -> String {
         format!(
             "<mindeg.Domain {}{} vertices, {} sides>",
@@ -157,33 +147,27 @@ impl Domain {
     }
 }
 
-/// The goal among keyword arguments; one that is `None` is not given.
-fn read_goal(given: &Bound<'_, PyDict>) -> PyResult<Goal> {
-    let mut found: Option<(String, Goal)> = None;
-    for (key, value) in given.iter().filter(|(_, value)| !value.is_none()) {
-        let key = key.to_string();
-        let Some(kind) = GOALS.iter().find(|kind| kind.key == key) else {
-            let keys: Vec<&str> = GOALS.iter().map(|kind| kind.key).collect();
-            return Err(value_error(format!(
-                "no goal is named \"{key}\"; give {}",
-                keys.join(", ")
-            )));
-        };
-        if let Some((other, _)) = found {
-            return Err(value_error(format!(
-                "{other} and {key} exclude each other; give one of them"
-            )));
-        }
-        let goal = kind.read(&value.str()?.to_string_lossy());
-        let goal = goal.map_err(|problem| value_error(format!("{key}: {problem}")))?;
-        found = Some((key, goal));
-    }
-    Ok(found.map(|(_, goal)| goal).unwrap_or_default())
+/// A hash of points that are equal where meshes or domains are.
+pub(crate) fn hash_of(points: &dyn Positions) -> u64 {
+    let count = points.vertex_count();
+    let some =
+        filled(0..count.min(16), DVec3::ZERO, |first, out| points.fill_positions(first, out));
+    let mut hasher = DefaultHasher::new();
+    count.hash(&mut hasher);
+    // -0.0 is 0.0.
+    some.iter().for_each(|point| point.to_array().map(|x| (x + 0.0).to_bits()).hash(&mut hasher));
+    hasher.finish()
 }
 
-/// The goals of a mesh, as dicts.
-#[pyfunction]
-#[pyo3(name = "_goals")]
-pub(crate) fn goals(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
-    dict(py, &GOALS)
+/// A fault in the words of the arguments of which the text was made.
+fn in_arguments(error: &DomainJsonError, names: &[(String, String)]) -> String {
+    let DomainJsonError { path, message, .. } = error;
+    let named = names.iter().find_map(|(key, name)| {
+        let rest = path.strip_prefix(&**key)?;
+        (rest.is_empty() || rest.starts_with(['.', '['])).then(|| format!("{name}{rest}"))
+    });
+    match named.as_deref().unwrap_or(path) {
+        "" => message.clone(),
+        path => format!("{path}: {message}"),
+    }
 }

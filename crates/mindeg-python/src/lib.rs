@@ -14,6 +14,8 @@ mod outlines;
 mod pickled;
 mod remesh;
 mod save;
+mod verify;
+mod wish;
 mod work;
 
 use pyo3::prelude::*;
@@ -27,17 +29,21 @@ mod _mindeg {
     #[pymodule_export]
     use super::arrays::rows_of_two;
     #[pymodule_export]
-    use super::domain::{Domain, goals};
+    use super::domain::Domain;
     #[pymodule_export]
     use super::interior::sizes_of_file;
     #[pymodule_export]
-    use super::loops::{bridge_loops, fill_loop};
+    use super::loops::{bridge, bridge_loops, fill, fill_loop};
     #[pymodule_export]
     use super::mesh::{Mesh, improve, inspect, read};
     #[pymodule_export]
-    use super::outlines::{domain_of_outline, mesh_of_map};
+    use super::outlines::{domain_of_outline, mesh_of_file, mesh_of_mesh};
     #[pymodule_export]
     use super::remesh::remesh;
+    #[pymodule_export]
+    use super::verify::{presets, verify};
+    #[pymodule_export]
+    use super::wish::goals;
 
     #[pymodule_init]
     fn version(module: &Bound<'_, PyModule>) -> PyResult<()> {

@@ -1,13 +1,18 @@
-//! Loops in space: closing one, joining two.
+//! Loops in space: closing one, joining two; and those of whole meshes.
 
-use mindeg::fill::{EXTRA_AREA, FIRST_LIMIT};
+use mindeg::Loops;
+use mindeg::bridge::bridge as joined;
+use mindeg::fill::{EXTRA_AREA, FIRST_LIMIT, FillOptions, fill as closed};
 use mindeg::glam::DVec3;
+use mindeg_answers::loops::{BridgeAnswer, FillAnswer, LoopName, OpenLoop};
 use mindeg_exact::{BridgeProblem, LoopLimit, LoopProblem, bridge_rings, fill_loop as filled};
 use numpy::PyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::arrays;
+use crate::dict::dict;
+use crate::mesh::{Facts, Mesh, tri_mesh};
 use crate::work::{done, value_error};
 
 /// The triangles, and what is known of them.
@@ -76,6 +81,113 @@ pub(crate) fn bridge_loops<'py>(
     facts.set_item("at_least", found.lower_bound)?;
     facts.set_item("min_angle", found.min_angle)?;
     Ok((arrays::rows(py, found.triangles)?, facts))
+}
+
+/// Close the holes of a mesh: each boundary loop by the triangulation of least area under a limit on the total degree.
+///
+/// Takes a mesh in hand, or points and triangles. `through` are vertices: only loops through these are filled; else all, but
+/// not the rim of a flat sheet. `max_degree` and `extra_area` as for `mindeg fill`: without a degree, for each loop the least from 6 up that
+/// takes no more than this share of area more. Loops of `max_loop` vertices or more stay open. `groups["fill"]` of the result are the new
+/// triangles, after all others; `report` has the keys of `mindeg fill --json`, whose loops are counted from 1.
+#[pyfunction]
+#[pyo3(
+    signature = (points, triangles=None, *, through=None, max_degree=None, extra_area=EXTRA_AREA, max_loop=500),
+    text_signature = "(points, triangles=None, *, through=None, max_degree=None, extra_area=0.05, max_loop=500)"
+)]
+pub(crate) fn fill(
+    py: Python<'_>,
+    points: &Bound<'_, PyAny>,
+    triangles: Option<&Bound<'_, PyAny>>,
+    through: Option<Vec<u32>>,
+    max_degree: Option<u32>,
+    extra_area: f64,
+    max_loop: usize,
+) -> PyResult<Mesh> {
+    if extra_area.is_nan() || extra_area < 0.0 {
+        return Err(value_error(format!("extra_area is {extra_area}; give a share of 0 or more")));
+    }
+    let mesh = tri_mesh(points, triangles)?;
+    let loops = Loops::of(&mesh);
+    if loops.list().is_empty() {
+        return Err(value_error("the mesh has no boundary loop; it is closed"));
+    }
+    let only = through.map(|through| {
+        through.into_iter().map(|vertex| loop_through(&loops, vertex, "the mesh")).collect()
+    });
+    let options = FillOptions { max_degree, extra_area, max_loop, only: only.transpose()? };
+    let filled = done(py, |progress| closed(mesh, &loops, &options, progress))?;
+    let answer = FillAnswer::of("", &filled, &loops);
+    if filled.filled.is_empty() {
+        let reasons: Vec<String> = answer.left_open.iter().take(5).map(OpenLoop::text).collect();
+        return Err(value_error(format!("no loop to fill: {}", reasons.join("; "))));
+    }
+    let report = dict(py, &answer)?.cast_into::<PyDict>()?;
+    report.del_item("file")?;
+    Ok(Mesh::new(filled.mesh, Facts { report: Some(report.unbind()), ..Facts::default() }))
+}
+
+/// Join two boundary loops by a strip of triangles: the least maximum degree, or within `max_degree`, and the largest
+/// minimum angle.
+///
+/// With one mesh, two of its loops; with two, a loop of each, and the result has both. `through` are two vertices, one on each
+/// loop; without it a mesh must have as many loops as are joined. `groups["bridge"]` of the result is the strip; `report` has the
+/// keys of `mindeg bridge --json`.
+#[pyfunction]
+#[pyo3(signature = (first, second=None, *, through=None, max_degree=None))]
+pub(crate) fn bridge(
+    py: Python<'_>,
+    first: &Bound<'_, Mesh>,
+    second: Option<&Bound<'_, Mesh>>,
+    through: Option<[u32; 2]>,
+    max_degree: Option<u32>,
+) -> PyResult<Mesh> {
+    let first = first.get().list()?;
+    let second = second.map(|second| second.get().list()).transpose()?;
+    let loops = Loops::of(&first);
+    let other = second.as_ref().map(Loops::of);
+    let target = other.as_ref().unwrap_or(&loops);
+    let [a, b] = match (through, &other) {
+        (Some([a, b]), Some(_)) => [
+            loop_through(&loops, a, "the first mesh")?,
+            loop_through(target, b, "the second mesh")?,
+        ],
+        (Some([a, b]), None) => {
+            [loop_through(&loops, a, "the mesh")?, loop_through(target, b, "the mesh")?]
+        }
+        (None, Some(_)) => {
+            expect_loops(&loops, 1, "the first mesh")?;
+            expect_loops(target, 1, "the second mesh")?;
+            [0, 0]
+        }
+        (None, None) => {
+            expect_loops(&loops, 2, "the mesh")?;
+            [0, 1]
+        }
+    };
+    let names = [(&loops, a), (target, b)].map(|(of, at)| LoopName::new(at, &of.list()[at]));
+    let both = second.as_ref().zip(other.as_ref());
+    let found = done(py, |progress| joined((first, &loops), both, [a, b], max_degree, progress))?;
+    let [from, to] = names;
+    let report = dict(py, &BridgeAnswer::of(&found, from, to))?.cast_into::<PyDict>()?;
+    Ok(Mesh::new(found.mesh, Facts { report: Some(report.unbind()), ..Facts::default() }))
+}
+
+/// The index of the loop through a vertex.
+fn loop_through(loops: &Loops, vertex: u32, mesh: &str) -> PyResult<usize> {
+    loops.through(vertex).ok_or_else(|| {
+        value_error(format!("through: {mesh} has no boundary loop through vertex {vertex}"))
+    })
+}
+
+fn expect_loops(loops: &Loops, count: usize, mesh: &str) -> PyResult<()> {
+    let found = loops.list().len();
+    if found == count {
+        return Ok(());
+    }
+    let loops = if found == 1 { "loop" } else { "loops" };
+    Err(value_error(format!(
+        "{mesh} has {found} boundary {loops}, and {count} are expected; name them by vertices, through=(…, …)"
+    )))
 }
 
 fn ring(points: &Bound<'_, PyAny>, key: &str) -> PyResult<Vec<DVec3>> {

@@ -17,9 +17,11 @@ use pyo3::types::PyDict;
 
 use crate::arrays;
 use crate::dict::dict;
+use crate::domain::hash_of;
 use crate::interior;
 use crate::pickled::{self, PickledGroups, PickledParts};
 use crate::save::{self, Wanted};
+use crate::verify::demands;
 use crate::work::{done, value_error};
 
 /// A triangle mesh. `points` is (n, 2) or (n, 3) float64, `triangles` (m, 3) uint32, counter-clockwise.
@@ -236,6 +238,18 @@ impl Mesh {
         py.detach(|| save::save(&*self.mesh, &path, &wanted))
     }
 
+    /// Whether points, triangles and all that names parts of them are the same.
+    fn __eq__(&self, other: &Self) -> PyResult<bool> {
+        let (a, b) = (&self.mesh, &other.mesh);
+        let same_counts =
+            a.vertex_count() == b.vertex_count() && a.triangle_count() == b.triangle_count();
+        Ok(same_counts && self.list()? == other.list()?)
+    }
+
+    fn __hash__(&self) -> u64 {
+        hash_of(&*self.mesh)
+    }
+
     fn _repr_svg_(&self) -> Option<String> {
         let mut picture = Vec::new();
         svg::write(&*self.mesh, &mut picture).ok()?;
@@ -317,11 +331,19 @@ pub(crate) fn read(py: Python<'_>, path: PathBuf) -> PyResult<Mesh> {
 
 /// The faults of a mesh, or of points and triangles, and its quality: a dict with the keys of
 /// `mindeg inspect --json`, which `docs/inspect.md` explains.
+///
+/// Vertices at most `weld` apart count as one; none do with `None`. The boundary turns at a corner by more than `corner_angle`
+/// degrees; vertices with more than `poles_above` edges are listed. `failed` has, in sentences, where the mesh breaks `max_degree`,
+/// `target_angle` in degrees, or the rules of a `preset` of `mindeg.PRESETS`.
 #[pyfunction]
 #[pyo3(
-    signature = (points, triangles=None, *, weld=Some(0.0), corner_angle=1.0, poles_above=8),
-    text_signature = "(points, triangles=None, *, weld=0.0, corner_angle=1.0, poles_above=8)"
+    signature = (
+        points, triangles=None, *, weld=Some(0.0), corner_angle=1.0, poles_above=8, max_degree=None, target_angle=None,
+        preset=None
+    ),
+    text_signature = "(points, triangles=None, *, weld=0.0, corner_angle=1.0, poles_above=8, max_degree=None, target_angle=None, preset=None)"
 )]
+#[expect(clippy::too_many_arguments, reason = "they are keywords in Python")]
 pub(crate) fn inspect<'py>(
     py: Python<'py>,
     points: &Bound<'py, PyAny>,
@@ -329,6 +351,9 @@ pub(crate) fn inspect<'py>(
     weld: Option<f64>,
     corner_angle: f64,
     poles_above: u32,
+    max_degree: Option<u32>,
+    target_angle: Option<f64>,
+    preset: Option<&str>,
 ) -> PyResult<Bound<'py, PyAny>> {
     if let Some(weld) = weld.filter(|weld| !(weld.is_finite() && *weld >= 0.0)) {
         return Err(value_error(format!("weld is {weld}; give a length of 0 or more, or None")));
@@ -340,11 +365,17 @@ pub(crate) fn inspect<'py>(
     }
     let mesh = tri_mesh(points, triangles)?;
     let options = InspectionOptions { weld, corner_angle, pole_degree: poles_above };
-    let report = py.detach(|| {
+    let demands = demands(max_degree, target_angle, preset)?;
+    let (report, failed) = py.detach(|| {
         let found = Inspection::of(&mesh, &options);
-        InspectionReport::new(None, &mesh, &found, &options)
+        let report = InspectionReport::new(None, &mesh, &found, &options);
+        let welded = options.weld.map(|tolerance| mesh.welded(tolerance));
+        let failed = demands.unmet_by(welded.as_ref().unwrap_or(&mesh), report.min_angle);
+        (report, failed)
     });
-    dict(py, &report)
+    let report = dict(py, &report)?;
+    report.set_item("failed", failed)?;
+    Ok(report)
 }
 
 /// The optimiser alone on a planar mesh; the package names the options.

@@ -1,20 +1,26 @@
-//! Domains and maps from files: JSON, or outlines that other programs drew.
+//! Domains, and meshes of domains, maps and models, from files: JSON, or what other programs drew.
 
 use std::path::PathBuf;
 
 use mindeg::interior::mesh_all;
-use mindeg::{Domain, Interior, Progress, Size};
+use mindeg::model::{fill_model, mesh_model};
+use mindeg::{
+    Domain, FromMesh, InnerPoint, Interior, Model, Progress, Side, Size, TriMesh, beside,
+};
 use mindeg_answers::interior::InteriorAnswer;
+use mindeg_answers::model::ModelAnswer;
+use mindeg_answers::names::part_name;
 use mindeg_files::{
-    Content, Division, FillRule, Input, PolygonFile, ReadOptions, Selection, Session, Wanted,
+    Content, Division, FillRule, Format, Input, PolygonFile, ReadOptions, Selection, Session,
+    Wanted,
 };
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::dict::dict;
-use crate::interior;
 use crate::mesh::{Facts, Mesh};
 use crate::save::file_error;
+use crate::wish::Wish;
 use crate::work::{done, value_error};
 
 /// A file, or the text of GeoJSON, and how its polygons are read: a dict that the Python side makes.
@@ -95,13 +101,7 @@ pub(crate) fn domain_of_outline(py: Python<'_>, given: Given) -> PyResult<(Strin
                 let domain = polygons.only().map_err(file_error)?;
                 Ok((domain.to_json(), polygons.notes))
             }
-            Content::Domain(_) if given.is_for_outlines() => {
-                let name = input.name();
-                wrong(format!(
-                    "{name}: size, feature, layer, name_by and repair are for outlines such as GeoJSON or SVG; this \
-                     is a domain in JSON"
-                ))
-            }
+            Content::Domain(_) if given.is_for_outlines() => wrong(for_outlines(&input)),
             Content::Domain(text) => match Domain::from_json(&text) {
                 Ok(domain) if names_files(&domain) => {
                     let domain = session.with_sizes(domain, &input).map_err(file_error)?;
@@ -110,47 +110,175 @@ pub(crate) fn domain_of_outline(py: Python<'_>, given: Given) -> PyResult<(Strin
                 _ => Ok((text, Vec::new())),
             },
             Content::Model(text) => Ok((text, Vec::new())),
-            Content::Mesh(_) => wrong(format!("{}: it is a mesh; a domain is expected", input.name())),
+            Content::Mesh(_) => {
+                wrong(format!("{}: it is a mesh; a domain is expected", input.name()))
+            }
         }
     })
 }
 
-/// One mesh of the polygons in a file, or in the text of GeoJSON, whose regions they are; and notes.
-#[pyfunction]
-#[pyo3(name = "_mesh_of_map")]
-pub(crate) fn mesh_of_map(
-    py: Python<'_>,
-    given: Given,
-    options: &str,
-) -> PyResult<(Mesh, Vec<String>)> {
-    let read = given.options()?;
-    let (wanted, points) = interior::wanted(options, &Interior::default())?;
-    if !points.is_empty() {
-        return Err(value_error("fixed_points are for a single domain; leave them out"));
-    }
-    let (polygons, (domains, more)) = py.detach(|| {
-        let polygons = polygons(&given.input(), &read)?;
-        let maps = polygons.maps().map_err(file_error)?;
-        PyResult::Ok((polygons, maps))
-    })?;
-    let mut found =
-        done(py, |progress| mesh_all(&domains, &wanted, progress).map_err(|(_, error)| error))?;
-    if let Some(name) = polygons.name() {
-        found.mesh = found.mesh.named(name);
-    }
-    let report = dict(py, &InteriorAnswer::from(&found))?.cast_into::<PyDict>()?.unbind();
-    let notes = polygons.notes.into_iter().chain(more).collect();
-    Ok((Mesh::new(found.mesh, Facts { report: Some(report), ..Facts::default() }), notes))
+/// How a model is read and meshed: a dict that the Python side makes.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub(crate) struct OfModel {
+    merge_coplanar: bool,
+    planar_tolerance: Option<f64>,
+    effort: f64,
 }
 
-fn polygons(input: &Input<'_>, options: &ReadOptions) -> PyResult<PolygonFile> {
-    match Session::new("")
-        .open(input, Wanted::Domain, options, Progress::NONE)
-        .map_err(file_error)?
-    {
-        Content::Polygons(polygons) => Ok(polygons),
-        _ => Err(value_error(format!("{}: it has no polygons; give it to Domain", input.name()))),
+/// The mesh of what a file, or a text, holds, and notes: a domain, polygons as the regions of one mesh, or a model.
+#[pyfunction]
+#[pyo3(name = "_mesh_of_file")]
+pub(crate) fn mesh_of_file(
+    py: Python<'_>,
+    given: Given,
+    wish: Wish<'_>,
+    mut of_model: OfModel,
+) -> PyResult<(Mesh, Vec<String>)> {
+    let read = given.options()?;
+    let input = given.input();
+    let session = Session::new("");
+    let content = py
+        .detach(|| session.open(&input, Wanted::Model, &read, Progress::NONE))
+        .map_err(file_error)?;
+    let wrong =
+        |error: &dyn ToString| value_error(format!("{}: {}", input.name(), error.to_string()));
+    match content {
+        Content::Polygons(polygons) if polygons.polygons.len() > 1 && given.feature.is_none() => {
+            mesh_of_polygons(py, &polygons, &wish)
+        }
+        Content::Polygons(polygons) => {
+            let domain = polygons.only().map_err(file_error)?;
+            Ok((wish.mesh_of(py, &domain)?, polygons.notes))
+        }
+        Content::Domain(_) if given.is_for_outlines() => Err(value_error(for_outlines(&input))),
+        Content::Domain(text) => {
+            let domain = Domain::from_json(&text).map_err(|error| wrong(&error))?;
+            let domain = session.with_sizes(domain, &input).map_err(file_error)?;
+            Ok((wish.mesh_of(py, &domain)?, Vec::new()))
+        }
+        Content::Model(text) => {
+            let model = Model::from_json(&text).map_err(|error| wrong(&error))?;
+            let model = match given.size {
+                Some(size) => model.divided(&Side::size(size)).map_err(|error| wrong(&error))?,
+                None => model,
+            };
+            Ok((mesh_of_model(py, &model, &wish, &of_model)?, Vec::new()))
+        }
+        Content::Mesh(mesh) => {
+            // A glTF has triangles, of which its faces are made.
+            let is_obj = given.path.as_deref().and_then(Format::of_path) == Some(Format::Obj);
+            of_model.merge_coplanar |= !is_obj;
+            Ok((mesh_of_faces(py, &mesh, given.size, &wish, &of_model)?, Vec::new()))
+        }
     }
+}
+
+/// The mesh of the model whose faces are the polygons of a mesh.
+#[pyfunction]
+#[pyo3(name = "_mesh_of_faces")]
+pub(crate) fn mesh_of_mesh(
+    py: Python<'_>,
+    mesh: &Bound<'_, Mesh>,
+    size: Option<f64>,
+    wish: Wish<'_>,
+    of_model: OfModel,
+) -> PyResult<Mesh> {
+    mesh_of_faces(py, &mesh.get().list()?, size, &wish, &of_model)
+}
+
+fn mesh_of_faces(
+    py: Python<'_>,
+    mesh: &TriMesh,
+    size: Option<f64>,
+    wish: &Wish<'_>,
+    of_model: &OfModel,
+) -> PyResult<Mesh> {
+    let size =
+        size.ok_or_else(|| value_error("give the size of the edges of its faces, size=…"))?;
+    let from_mesh = FromMesh {
+        edges: Side::size(size),
+        merge_coplanar: of_model.merge_coplanar,
+        planar_tolerance: of_model.planar_tolerance,
+    };
+    mesh_of_model(py, &Model::of_mesh(mesh, &from_mesh).map_err(value_error)?, wish, of_model)
+}
+
+fn mesh_of_model(
+    py: Python<'_>,
+    model: &Model,
+    wish: &Wish<'_>,
+    of_model: &OfModel,
+) -> PyResult<Mesh> {
+    let (mesh, answer) = if wish.has_interior(false)? {
+        let (wanted, points) = wish.wanted(&Interior::default())?;
+        refuse_points(&points)?;
+        let filled = done(py, |progress| fill_model(model, &wanted, progress))?;
+        let answer = ModelAnswer::filled(model, &filled);
+        (filled.mesh, answer)
+    } else {
+        let (goal, effort) = (wish.goal()?, of_model.effort);
+        let meshed = done(py, |progress| mesh_model(model, goal, effort, progress))?;
+        let answer = ModelAnswer::of(model, &meshed);
+        (meshed.mesh, answer)
+    };
+    let report = Some(dict(py, &answer)?.cast_into::<PyDict>()?.unbind());
+    Ok(Mesh::new(mesh, Facts { report, ..Facts::default() }))
+}
+
+/// One mesh of polygons whose regions they are.
+fn mesh_of_polygons(
+    py: Python<'_>,
+    polygons: &PolygonFile,
+    wish: &Wish<'_>,
+) -> PyResult<(Mesh, Vec<String>)> {
+    let (domains, more) = py.detach(|| polygons.maps().map_err(file_error))?;
+    let notes = polygons.notes.iter().cloned().chain(more).collect();
+    let named = |mesh: TriMesh| match polygons.name() {
+        Some(name) => mesh.named(name),
+        None => mesh,
+    };
+    let of_part = |index: usize, error: &dyn ToString| match &domains[..] {
+        [_] => error.to_string(),
+        _ => format!("{}: {}", part_name(index, &domains[index]), error.to_string()),
+    };
+    let has_interior = wish.has_interior(false)?;
+    if let [domain] = &domains[..] {
+        return Ok((wish.mesh_of(py, domain)?, notes));
+    }
+    if !has_interior {
+        let goal = wish.goal()?;
+        let found = done(py, |progress| {
+            beside::mesh_all(&domains, goal, progress).map_err(|(at, error)| of_part(at, &error))
+        })?;
+        let (least, is_known) = found.least_max_degree();
+        let facts = Facts { least_max_degree: is_known.then_some(least), ..Facts::default() };
+        return Ok((Mesh::new(named(found.mesh), facts), notes));
+    }
+    let (wanted, points) = wish.wanted(&Interior::default())?;
+    refuse_points(&points)?;
+    let mut found = done(py, |progress| {
+        mesh_all(&domains, &wanted, progress).map_err(|(at, error)| of_part(at, &error))
+    })?;
+    found.mesh = named(found.mesh);
+    let report = Some(dict(py, &InteriorAnswer::from(&found))?.cast_into::<PyDict>()?.unbind());
+    Ok((Mesh::new(found.mesh, Facts { report, ..Facts::default() }), notes))
+}
+
+fn refuse_points(points: &[InnerPoint]) -> PyResult<()> {
+    if points.is_empty() {
+        return Ok(());
+    }
+    Err(value_error("fixed_points are for a single domain; leave them out"))
+}
+
+/// Why an option has no meaning for a domain in JSON.
+fn for_outlines(input: &Input<'_>) -> String {
+    format!(
+        "{}: size, feature, layer, name_by and repair are for outlines such as GeoJSON or SVG; this is a domain in \
+         JSON",
+        input.name()
+    )
 }
 
 /// Whether the domain's sizes are in files.

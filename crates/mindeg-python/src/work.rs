@@ -1,7 +1,8 @@
-//! Long work: without the interpreter's lock, cancelled by Ctrl-C.
+//! Long work: without the interpreter's lock, cancelled by Ctrl-C or by who follows its progress.
 
 use std::fmt::Display;
 use std::ops::ControlFlow;
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
@@ -11,17 +12,26 @@ use mindeg::{Progress, Step};
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 
-/// How often Python is asked for a signal.
+/// How often Python is asked for a signal, and told of the progress.
 const BETWEEN_SIGNALS: Duration = Duration::from_millis(50);
 
 /// Does work on a thread of its own while this one looks for signals: Python handles them on its
-/// main thread only. A signal whose handler raises, as Ctrl-C's does, cancels the work.
+/// main thread only. A signal whose handler raises, as Ctrl-C's does, cancels the work; so does what the callback of
+/// `mindeg.progress` raises, which this thread calls.
 pub(crate) fn done<T: Send, E: Display + Send>(
     py: Python<'_>,
     work: impl FnOnce(Progress<'_>) -> Result<T, E> + Send,
 ) -> PyResult<T> {
+    let callback = py.import("mindeg._progress")?.getattr("callback")?.call_method0("get")?;
+    let callback = (!callback.is_none()).then(|| callback.unbind());
+    let latest = Mutex::new(None);
     let is_cancelled = AtomicBool::new(false);
-    let go_on = |_: Step<'_>| {
+    let go_on = |step: Step<'_>| {
+        if callback.is_some()
+            && let Ok(mut latest) = latest.try_lock()
+        {
+            *latest = Some((step.stage.to_owned(), step.done, step.total));
+        }
         if is_cancelled.load(Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
     py.detach(|| {
@@ -39,7 +49,15 @@ pub(crate) fn done<T: Send, E: Display + Send>(
                     Ok(outcome) => return outcome.map_err(value_error),
                     Err(RecvTimeoutError::Disconnected) => break,
                     Err(RecvTimeoutError::Timeout) if raised.is_none() => {
-                        raised = Python::attach(|py| py.check_signals()).err();
+                        let step = latest.lock().ok().and_then(|mut latest| latest.take());
+                        let told = |py: Python<'_>| {
+                            py.check_signals()?;
+                            if let (Some(callback), Some(step)) = (&callback, step) {
+                                callback.call1(py, step)?;
+                            }
+                            Ok::<_, PyErr>(())
+                        };
+                        raised = Python::attach(told).err();
                         is_cancelled.store(raised.is_some(), Relaxed);
                     }
                     Err(RecvTimeoutError::Timeout) => {}

@@ -30,6 +30,9 @@ use std::ops::{ControlFlow, Range};
 /// The name of the group of new triangles.
 pub const FILL: &str = "fill";
 
+/// Why a loop stays open that nobody asked for by name.
+const RIM: &str = "it is the rim of a flat sheet, on which the filling would lie; name it to fill it all the same";
+
 /// Why a loop stays open that could be filled but for the edges around it.
 const EDGES_THERE: &str = "every triangulation of it needs an edge that the mesh has already";
 
@@ -52,7 +55,7 @@ pub struct FillOptions {
     pub extra_area: f64,
     /// Loops of this many vertices or more stay open.
     pub max_loop: usize,
-    /// The indices of the loops to fill; without indices, all loops.
+    /// The indices of the loops to fill; without indices, all loops but the rims of flat sheets.
     pub only: Option<Vec<usize>>,
 }
 
@@ -172,6 +175,8 @@ fn fill_with(
             format!("it has {vertices} vertices, and only loops below {max_loop} are filled");
         let reason = found.defect.map(|defect| defect.to_string());
         let reason = reason.or_else(|| is_too_long.then_some(too_long));
+        let is_unwanted = found.is_rim && options.only.is_none();
+        let reason = reason.or_else(|| is_unwanted.then(|| RIM.to_owned()));
         match reason {
             Some(reason) => left.push(LeftLoop { index, vertices, reason }),
             None => tasks.push(index),

@@ -22,6 +22,9 @@ pub struct MeshLoop {
     pub vertices: Vec<u32>,
     /// Why it cannot be filled or bridged, if so.
     pub defect: Option<LoopDefect>,
+    /// Whether it is the rim of a flat sheet: all faces along it lie in its plane, inside it, so that a filling would lie on
+    /// them. Up to a millionth of its extent counts as flat.
+    pub is_rim: bool,
 }
 
 /// Why a loop cannot be filled or bridged.
@@ -93,11 +96,13 @@ impl Loops {
         }
         let is_on_loop = |vertex: u32| is_on_loop[vertex as usize];
         let proper = triangles.iter().filter(|[a, b, c]| a != b && b != c && c != a);
+        // Each with the corner of its triangle that is not on it.
         let mut directed = Vec::new();
         let mut whole_on_loops = Vec::new();
         for &[a, b, c] in proper {
-            let edges = [[a, b], [b, c], [c, a]];
-            directed.extend(edges.into_iter().filter(|edge| edge.iter().all(|&v| is_on_loop(v))));
+            let edges = [[a, b, c], [b, c, a], [c, a, b]];
+            directed
+                .extend(edges.into_iter().filter(|edge| edge[..2].iter().all(|&v| is_on_loop(v))));
             if [a, b, c].into_iter().all(is_on_loop) {
                 let mut corners = [a, b, c];
                 corners.sort_unstable();
@@ -112,11 +117,12 @@ impl Loops {
             if !found.closed {
                 let vertex = found.vertices.last().copied().unwrap_or(0);
                 let defect = Some(LoopDefect::Open { vertex });
-                loops.push(MeshLoop { vertices: found.vertices, defect });
+                loops.push(MeshLoop { vertices: found.vertices, defect, is_rim: false });
                 continue;
             }
             for mut vertices in simple_loops(&found.vertices) {
-                let runs = |from: u32, to: u32| directed.binary_search(&[from, to]).is_ok();
+                let at = |from, to| directed.binary_search_by(|edge| edge[..2].cmp(&[from, to]));
+                let runs = |from: u32, to: u32| at(from, to).is_ok();
                 if edges(&vertices).all(|[from, to]| runs(to, from) && !runs(from, to)) {
                     vertices.reverse();
                 }
@@ -132,12 +138,17 @@ impl Loops {
                     Some(edge) => Some(LoopDefect::Disagreeing { edge }),
                     None => is_single.then_some(LoopDefect::SingleTriangle),
                 };
-                loops.push(MeshLoop { vertices, defect });
+                let apexes: Option<Vec<u32>> = edges(&vertices)
+                    .map(|[from, to]| Some(directed[at(from, to).ok()?][2]))
+                    .collect();
+                let is_rim = defect.is_none()
+                    && apexes.is_some_and(|apexes| is_rim(mesh.positions(), &vertices, &apexes));
+                loops.push(MeshLoop { vertices, defect, is_rim });
             }
         }
         loops.sort_by(|a, b| a.vertices.cmp(&b.vertices));
         let mut edges: Vec<[u32; 2]> =
-            directed.iter().flat_map(|&[from, to]| [[from, to], [to, from]]).collect();
+            directed.iter().flat_map(|&[from, to, _]| [[from, to], [to, from]]).collect();
         edges.sort_unstable();
         edges.dedup();
         Self { loops, same, degrees, edges, added: BTreeSet::new() }
@@ -146,6 +157,12 @@ impl Loops {
     /// The loops, in the order of their first vertices.
     pub fn list(&self) -> &[MeshLoop] {
         &self.loops
+    }
+
+    /// The index of the first loop through a vertex, or through one with the same coordinates.
+    pub fn through(&self, vertex: u32) -> Option<usize> {
+        let same = *self.same.get(vertex as usize)?;
+        self.loops.iter().position(|found| found.vertices.contains(&same))
     }
 
     pub(crate) fn get(&self, index: usize) -> Result<&MeshLoop, MeshError> {
@@ -183,6 +200,24 @@ impl MeshLoop {
         let share = 1.0 / self.vertices.len() as f64;
         self.vertices.iter().map(|&vertex| positions[vertex as usize] * share).sum()
     }
+}
+
+/// Whether the triangles along a loop, with these apexes, lie in its plane and inside it.
+fn is_rim(positions: &[DVec3], vertices: &[u32], apexes: &[u32]) -> bool {
+    const FLAT: f64 = 1e-6;
+    let at = |vertex: u32| positions[vertex as usize];
+    let start = at(vertices[0]);
+    let normal: DVec3 =
+        edges(vertices).map(|[from, to]| (at(from) - start).cross(at(to) - start)).sum();
+    let normal = normal.normalize_or_zero();
+    let extent = vertices.iter().map(|&vertex| (at(vertex) - start).length()).fold(0.0, f64::max);
+    let is_flat = |vertex: &u32| (at(*vertex) - start).dot(normal).abs() <= FLAT * extent;
+    let faces_along = |([from, to], apex): ([u32; 2], &u32)| {
+        (at(to) - at(from)).cross(at(*apex) - at(from)).dot(normal) > 0.0
+    };
+    normal != DVec3::ZERO
+        && vertices.iter().chain(apexes).all(is_flat)
+        && edges(vertices).zip(apexes).all(faces_along)
 }
 
 /// The edges of a closed loop.
@@ -249,6 +284,26 @@ mod tests {
             let found: Vec<_> = found.into_iter().map(|l| (l.vertices, l.defect)).collect();
             assert_eq!(found, expected, "{triangles:?}");
         }
+    }
+
+    /// A frame of squares round a hole, flat or with its inner edges lifted.
+    fn frame(height: f64) -> Vec<MeshLoop> {
+        let outer = [[0, 0], [3, 0], [3, 3], [0, 3]].map(|[x, y]: [i32; 2]| (x, y, 0.0));
+        let inner = [[1, 1], [2, 1], [2, 2], [1, 2]].map(|[x, y]: [i32; 2]| (x, y, height));
+        let points = outer.iter().chain(&inner).map(|&(x, y, z)| DVec3::new(x.into(), y.into(), z));
+        let sides = (0..4).flat_map(|i| {
+            let j = (i + 1) % 4;
+            [[i, j, 4 + j], [i, 4 + j, 4 + i]]
+        });
+        Loops::of(&TriMesh::new(points.collect(), sides.collect()).unwrap()).list().to_vec()
+    }
+
+    #[test]
+    fn the_rim_of_a_flat_sheet_is_none_of_its_holes() {
+        let rims = |height| frame(height).iter().map(|found| found.is_rim).collect::<Vec<_>>();
+        assert_eq!(rims(0.0), [true, false]);
+        // A frustum has two holes.
+        assert_eq!(rims(1.0), [false, false]);
     }
 
     #[test]

@@ -10,7 +10,7 @@ use std::path::PathBuf;
 const EXAMPLES: &str = "\
 Examples:
   mindeg bridge lower.obj upper.obj -o joined.obj
-  mindeg bridge lower.obj upper.obj -o joined.glb --from 1 --to v0 --max-degree 8
+  mindeg bridge lower.obj upper.obj -o joined.glb --from 1 --to v0
   mindeg bridge both.obj -o joined.obj --from 0,0,1 --to 0,0,2";
 
 /// Join two boundary loops, of one mesh or of two, by a strip of triangles

@@ -2,7 +2,7 @@
 
 use super::values::{target_angle, whole_number};
 use clap::Args;
-use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use mindeg_answers::demands::Demands;
 use mindeg_answers::preset::{PRESETS, Preset};
 
@@ -33,14 +33,13 @@ impl DemandArguments {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Demands")]
 pub(crate) struct PresetArgument {
-    /// End with exit code 3 if the mesh breaks a rule of this program
+    /// End with exit code 3 if the mesh breaks a rule of this program; mindeg formats explains them
     #[arg(long, value_name = "PROGRAM", value_parser = preset_parser())]
     pub(crate) preset: Option<Preset>,
 }
 
 fn preset_parser() -> impl TypedValueParser<Value = Preset> {
-    let values = PRESETS.iter().map(|it| PossibleValue::new(it.name).help(it.description));
-    PossibleValuesParser::new(values).map(|name| {
+    PossibleValuesParser::new(PRESETS.iter().map(|preset| preset.name)).map(|name| {
         let named = PRESETS.iter().find(|preset| preset.name == name);
         named.expect("one of the possible values")
     })

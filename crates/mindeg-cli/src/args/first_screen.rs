@@ -1,45 +1,93 @@
-//! The help that fits a screen: of a command with many options `-h` shows those that most users need, each in one
-//! sentence; `--help` shows all.
+//! The help that fits a screen: `-h` shows what most users need, each in one sentence; `--help` shows all.
 
 use clap::Command;
 
-/// The commands with many options, and the arguments that `-h` shows of them.
-const SHOWN: [(&str, &[&str]); 1] = [(
+/// The arguments that `-h` shows of a command with very many, under headings of its own and in this order.
+const SHOWN: [(&str, &[(&str, &[&str])]); 1] = [(
     "mesh",
     &[
-        "domain",
-        "keep_angle",
-        "max_degree",
-        "interior",
-        "target_angle",
-        "growth",
-        "rectangle",
-        "size",
-        "output",
-        "preset",
-        "json",
+        ("", &["domain"]),
+        ("Mesh", &["interior", "target_angle", "growth", "keep_angle", "max_degree", "preset"]),
+        ("Sizes", &["rectangle", "size"]),
+        ("Output", &["output", "json"]),
     ],
 )];
 
-/// The command line with short help.
+/// What `-h` hides in all other commands: what few need, and those know from `--help`.
+const HIDDEN: [&str; 20] = [
+    "format",
+    "ascii",
+    "msh_version",
+    "double",
+    "no_fields",
+    "degree_colors",
+    "boundary_lines",
+    "floor",
+    "layer",
+    "name_by",
+    "snap",
+    "fill_rule",
+    "corner_angle",
+    "spacing",
+    "corners",
+    "write_anyway",
+    "weld",
+    "no_weld",
+    "planar_tolerance",
+    "effort",
+];
+
+/// How many examples `-h` shows.
+const EXAMPLES: usize = 3;
+
+/// The command line with the help that fits a screen.
 pub(super) fn shortened(command: Command) -> Command {
-    SHOWN.iter().fold(command, |command, &(name, shown)| {
-        command.mut_subcommand(name, |command| {
+    let names: Vec<String> =
+        command.get_subcommands().map(|command| command.get_name().to_owned()).collect();
+    names.into_iter().fold(command, |command, name| {
+        command.mut_subcommand(&name, |command| {
+            let groups = SHOWN.iter().find(|(shown, _)| *shown == name).map(|(_, groups)| *groups);
             let command = command.mut_args(|arg| {
-                if !shown.contains(&arg.get_id().as_str()) {
-                    return arg.hide_short_help(true);
-                }
-                match arg.get_help().map(ToString::to_string) {
-                    Some(text) => arg.help(first_sentence(&text).to_owned()).long_help(text),
+                let arg = match arg.get_help().map(ToString::to_string) {
+                    Some(text) => arg.help(first_sentence(&text).to_owned()),
                     None => arg,
+                };
+                let id = arg.get_id().as_str();
+                let Some(groups) = groups else {
+                    let is_hidden = HIDDEN.contains(&id);
+                    return arg.hide_short_help(is_hidden);
+                };
+                let place = |ids: &[&str]| ids.iter().position(|shown| *shown == id);
+                let found = groups.iter().find_map(|(heading, ids)| Some((heading, place(ids)?)));
+                match found {
+                    Some((heading, place)) if !heading.is_empty() => {
+                        arg.help_heading(*heading).display_order(place)
+                    }
+                    Some(_) => arg,
+                    None => arg.hide_short_help(true),
                 }
             });
-            let all = format!("All options: mindeg {name} --help");
+            let is_all = command.get_arguments().all(|arg| !arg.is_hide_short_help_set());
             let examples = command.get_after_help().map(ToString::to_string).unwrap_or_default();
-            let examples: Vec<&str> = examples.lines().take(4).collect();
-            command.after_help(format!("{}\n\n{all}", examples.join("\n")))
+            let mut after = first_examples(&examples);
+            if !is_all {
+                after += &format!("\n\nAll options: mindeg {name} --help");
+            }
+            command.after_help(after)
         })
     })
+}
+
+/// The first examples of a text; one that goes on in the next line is one.
+fn first_examples(text: &str) -> String {
+    let mut count = 0;
+    let mut goes_on = true;
+    let is_shown = |line: &&str| {
+        count += usize::from(!goes_on);
+        goes_on = line.ends_with('\\');
+        count <= EXAMPLES
+    };
+    text.lines().take_while(is_shown).collect::<Vec<_>>().join("\n")
 }
 
 /// A text up to its first full stop or semicolon.
@@ -51,27 +99,42 @@ fn first_sentence(text: &str) -> &str {
 #[cfg(test)]
 mod tests {
     use crate::args::Arguments;
-    use clap::CommandFactory;
 
-    #[test]
-    fn short_help_fits_a_screen_and_long_help_has_every_option() {
-        let mut command = super::shortened(Arguments::command());
-        command.build();
-        for (name, shown) in super::SHOWN {
+    fn help(name: &str) -> [String; 2] {
+        let render = |mut command: clap::Command, is_long: bool| {
+            command.build();
             let command = command.find_subcommand_mut(name).expect("a command");
             command.set_bin_name(format!("mindeg {name}"));
-            let short = command.clone().term_width(80).render_help().to_string();
-            assert!(short.lines().count() <= 50, "{short}");
-            let long = command.render_long_help().to_string();
+            let mut command = command.clone().term_width(80);
+            if is_long { command.render_long_help() } else { command.render_help() }.to_string()
+        };
+        [render(Arguments::short(), false), render(Arguments::whole(), true)]
+    }
+
+    #[test]
+    fn the_help_of_mesh_fits_a_screen() {
+        let [short, long] = help("mesh");
+        assert!(short.lines().count() <= 40, "{short}");
+        for (_, ids) in super::SHOWN[0].1 {
+            for id in *ids {
+                assert!(short.to_lowercase().contains(&id.replace('_', "-")), "{id} {short}");
+            }
+        }
+        assert!(!short.contains("--boundary-degree") && long.contains("--boundary-degree"));
+    }
+
+    #[test]
+    fn long_help_has_every_option_and_no_line_breaks_an_example() {
+        for command in Arguments::whole().get_subcommands() {
+            let [short, long] = help(command.get_name());
+            assert!(short.lines().count() <= 62, "{short}");
             for arg in command.get_arguments() {
                 let Some(option) = arg.get_long() else { continue };
                 assert!(long.contains(&format!("--{option}")), "{option}");
-                let is_shown = shown.contains(&arg.get_id().as_str()) || option == "help";
-                assert_eq!(
-                    short.contains(&format!("--{option} ")) || short.ends_with(option),
-                    is_shown,
-                    "{option} {short}"
-                );
+            }
+            let examples = command.get_after_help().expect("examples").to_string();
+            for line in examples.lines() {
+                assert!(line.chars().count() <= 80 && long.contains(line), "{line}");
             }
         }
     }

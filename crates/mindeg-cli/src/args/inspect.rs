@@ -28,8 +28,8 @@ pub(crate) struct InspectArguments {
     #[arg(value_name = "MESH", help = mesh_help("; - is standard input"))]
     pub(crate) file: PathBuf,
 
-    /// The format of standard input, where its content does not tell it
-    #[arg(long, value_name = "FORMAT", value_parser = format_parser(Format::READ))]
+    /// The format of standard input, where its content does not tell it; mindeg formats lists the names
+    #[arg(long, value_name = "FORMAT", value_parser = format_parser(Format::READ), hide_possible_values = true)]
     pub(crate) format: Option<Format>,
 
     /// Name the vertices with more edges than this, poles

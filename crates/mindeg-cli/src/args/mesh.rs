@@ -14,6 +14,7 @@ use mindeg_answers::demands::Demands;
 
 const EXAMPLES: &str = "\
 Examples:
+  mindeg mesh assets/domains/plate-with-holes.json --interior -o plate.vtu
   mindeg mesh --rectangle 4x3 --size 0.5 -o plate.obj
   mindeg mesh assets/domains/wing-panel.json --keep-angle 95% -o wing.glb
   mindeg mesh assets/domains/wing-panel.json --max-degree 5 -o wing.obj

@@ -3,32 +3,28 @@
 use super::values::format_parser;
 use clap::Args;
 use clap::ValueEnum;
-use mindeg_files::{
-    Encoding, Format, MeshPlane, MshVersion, SurfaceOptions, WriteOptions, extensions,
-};
+use mindeg_files::{Encoding, Format, MeshPlane, MshVersion, SurfaceOptions, WriteOptions};
 use std::path::PathBuf;
 
 /// The files of a mesh.
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Output")]
 pub(crate) struct SurfaceArguments {
-    /// Where to write.
-    #[arg(short, long, value_name = "FILE", required = true, help = format!(
-        "Where to write, by extension: {}; - is standard output. May be given several times",
-        extensions(&Format::WRITTEN)
-    ))]
+    /// Where to write: mesh.vtu, mesh.obj, …; the extension tells the format, and mindeg formats lists them. - is standard
+    /// output. May be given several times
+    #[arg(short, long, value_name = "FILE", required = true)]
     pub(crate) output: Vec<PathBuf>,
 
-    /// The format where the extension does not tell it
-    #[arg(long, value_name = "FORMAT", value_parser = format_parser(Format::WRITTEN))]
+    /// The format where the extension does not tell it; mindeg formats lists the names
+    #[arg(long, value_name = "FORMAT", value_parser = format_parser(Format::WRITTEN), hide_possible_values = true)]
     pub(crate) format: Option<Format>,
 
     /// Write text where the format has text and binary (MSH, VTU, VTK)
     #[arg(long)]
     pub(crate) ascii: bool,
 
-    /// The version of MSH
-    #[arg(long, value_name = "VERSION", default_value = "4.1")]
+    /// The version of MSH: 4.1, which Gmsh writes today, or 2.2, which more programs read
+    #[arg(long, value_name = "VERSION", default_value = "4.1", hide_possible_values = true)]
     pub(crate) msh_version: MshVersionName,
 
     /// Write 64-bit coordinates (PLY); Gmsh cannot read such a .ply

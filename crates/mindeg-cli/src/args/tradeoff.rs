@@ -9,7 +9,7 @@ use std::path::PathBuf;
 const EXAMPLES: &str = "\
 Examples:
   mindeg tradeoff assets/domains/wing-panel.json
-  mindeg tradeoff --rectangle 4x3 --intervals 12,9,4,4 -o curve.html -o curve.svg
+  mindeg tradeoff --rectangle 4x3 --intervals 12,9,4,4 -o curve.html
   mindeg tradeoff assets/domains/dominated-side.json --limit 10";
 
 /// Tell how large the minimum angle can be for each maximum degree, exactly

@@ -1,7 +1,7 @@
 //! Values of options: how they are read, and what to say to one that cannot be.
 
-use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use mindeg_files::{Format, extensions};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use mindeg_files::Format;
 use std::str::FromStr;
 
 /// Width and height.
@@ -126,9 +126,8 @@ pub(super) fn target_angle(text: &str) -> Result<f64, String> {
 
 /// The help of an argument that is a mesh, and what it may be besides.
 pub(super) fn mesh_help(more: &str) -> String {
-    let list = extensions(&Format::READ);
     format!(
-        "The mesh, by extension, else by content: {list}; files that it needs are in its folder{more}"
+        "The mesh, in any format that mindeg formats lists; files that it needs are in its folder{more}"
     )
 }
 
@@ -136,8 +135,7 @@ pub(super) fn mesh_help(more: &str) -> String {
 pub(super) fn format_parser<const N: usize>(
     formats: [Format; N],
 ) -> impl TypedValueParser<Value = Format> {
-    let values = formats.map(|format| PossibleValue::new(format.name()).help(format.description()));
-    PossibleValuesParser::new(values).map(move |name| {
+    PossibleValuesParser::new(formats.map(Format::name)).map(move |name| {
         let is_named = |format: &Format| format.name() == name;
         formats.into_iter().find(is_named).expect("one of the possible values")
     })

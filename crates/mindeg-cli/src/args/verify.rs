@@ -14,9 +14,9 @@ use std::path::PathBuf;
 const EXAMPLES: &str = "\
 Examples:
   mindeg verify wing-panel.obj assets/domains/wing-panel.json
-  mindeg verify from-blender.glb assets/domains/wing-panel.json --max-degree 6 --keep-angle 95%
+  mindeg verify wing.glb assets/domains/wing-panel.json --keep-angle 95%
   mindeg verify plate.stl --rectangle 4x3 --size 0.5 --optimal --json
-  mindeg verify remeshed.stl --surface part.stl --tolerance 1% --feature-angle 40";
+  mindeg verify remeshed.stl --surface part.stl --tolerance 1%";
 
 /// Check that a mesh of any program is a triangulation of a domain, and whether its maximum degree is
 /// the least

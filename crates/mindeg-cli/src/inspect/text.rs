@@ -3,7 +3,7 @@
 use mindeg::inspection::{Inspection, InspectionOptions, NoConvexOutline};
 use mindeg::quality::{Distribution, METRICS};
 use mindeg_answers::inspected::InspectionReport;
-use mindeg_answers::numbers::four_digits;
+use mindeg_answers::numbers::{four_digits, steady_angle};
 use std::fmt::{Display, Write};
 
 /// How many of a kind are named one by one.
@@ -55,10 +55,10 @@ fn write_defects(text: &mut String, report: &InspectionReport) -> std::fmt::Resu
         1 => "1 kind of defect".to_owned(),
         kinds => format!("{kinds} kinds of defects"),
     };
-    let [min, max] = [report.min_angle, report.max_angle].map(four_digits);
+    let [min, max] = [report.min_angle, report.max_angle].map(steady_angle);
     writeln!(
         text,
-        "{}: {verdict}; maximum degree {}, angles from {min}° to {max}°",
+        "{}: {verdict}; maximum degree {}, angles from {min} to {max}",
         report.file.as_deref().unwrap_or_default(),
         report.max_degree
     )?;
@@ -225,10 +225,10 @@ fn write_quality(text: &mut String, report: &InspectionReport) -> std::fmt::Resu
     writeln!(text, "Worst triangles:")?;
     for worst in &report.worst_triangles {
         let [a, b, c] = worst.vertices;
-        let [min, max] = [worst.min_angle, worst.max_angle].map(four_digits);
+        let [min, max] = [worst.min_angle, worst.max_angle].map(steady_angle);
         writeln!(
             text,
-            "  triangle {} (vertices {a}, {b}, {c}): angles from {min}° to {max}°",
+            "  triangle {} (vertices {a}, {b}, {c}): angles from {min} to {max}",
             worst.triangle
         )?;
     }

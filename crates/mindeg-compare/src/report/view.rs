@@ -19,7 +19,7 @@ use glam::DVec2;
 use mindeg::quality::Distribution;
 use mindeg::quality::TriangleQuality;
 use mindeg_answers::measures::{SHOWN, ShownMetric};
-use mindeg_answers::numbers::{Column, angle, count};
+use mindeg_answers::numbers::{Column, count, steady_angle};
 use mindeg_mesh::{BoundaryLoop, Positions, TriMesh, Triangles};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
@@ -183,7 +183,7 @@ fn decisive(figures: &MethodFigures, vertices: usize, triangles: usize) -> Table
 }
 
 fn described(figures: &MethodFigures) -> String {
-    let [degree, least] = [figures.max_degree.map(count), figures.min_angle.map(angle)]
+    let [degree, least] = [figures.max_degree.map(count), figures.min_angle.map(steady_angle)]
         .map(Option::unwrap_or_default);
     format!("maximum degree {degree} · minimum angle {least}")
 }

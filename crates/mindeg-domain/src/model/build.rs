@@ -1,5 +1,6 @@
 //! From corners, faces and divisions to a checked model.
 
+use mindeg_mesh::significant;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
@@ -196,8 +197,10 @@ fn plane(
         return Err(face_error(
             index,
             format!(
-                "is not planar: corner {corner} is {distance:.3e} off its plane, and the tolerance is \
-                 {tolerance:.3e}; cut the face in triangles, or raise the tolerance"
+                "is not planar: corner {corner} is {} off its plane, and the tolerance is {}; cut \
+                 the face in triangles, or raise the tolerance",
+                significant(distance, 4),
+                significant(tolerance, 4)
             ),
         ));
     }
@@ -302,9 +305,9 @@ fn law(
     let rounding = from.abs().max(to.abs()).max_element() * f64::EPSILON;
     if share * (to - from).abs().max_element() < LEAST_ROUNDINGS * rounding {
         return Err(error(format!(
-            "has intervals of {:.1e}, too short for its coordinates; use fewer intervals, or an origin \
+            "has intervals of {}, too short for its coordinates; use fewer intervals, or an origin \
              near the model",
-            share * length
+            significant(share * length, 2)
         )));
     }
     Ok(law)

@@ -2,6 +2,7 @@
 
 use super::Model;
 use crate::error::{DomainError, Place};
+use mindeg_mesh::significant;
 
 /// The maximum number of items that a note names.
 const NAMED: usize = 6;
@@ -134,9 +135,11 @@ fn off_plane(model: &Model) -> Option<String> {
     (count > 0).then(|| {
         let (noun, verb) = if count == 1 { ("face", "is") } else { ("faces", "are") };
         format!(
-            "{count} {noun} {verb} not quite planar: corners are up to {distance:.1e} off ({}), \
-             within the tolerance of {tolerance:.1e}.",
-            face_text(model, face)
+            "{count} {noun} {verb} not quite planar: corners are up to {} off ({}), within the \
+             tolerance of {}.",
+            significant(distance, 2),
+            face_text(model, face),
+            significant(tolerance, 2)
         )
     })
 }

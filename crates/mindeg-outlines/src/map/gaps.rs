@@ -1,6 +1,7 @@
 //! Gaps between regions that are far longer than wide, as where a border was drawn twice.
 
 use glam::DVec2;
+use mindeg_mesh::significant;
 
 use super::plane::Plane;
 use crate::curve::norm;
@@ -72,11 +73,11 @@ impl Gap {
     pub(super) fn error(&self, names: &[String]) -> OutlineError {
         let [one, other] = self.regions.map(|region| &names[region as usize]);
         let problem = format!(
-            "a gap {:.1e} wide and {:.1e} long is between {one} and {other}; --repair --snap {:.1e} closes it, --repair \
+            "a gap {} wide and {} long is between {one} and {other}; --repair --snap {} closes it, --repair \
              alone keeps it",
-            self.width,
-            self.length,
-            2.0 * self.width
+            significant(self.width, 2),
+            significant(self.length, 2),
+            significant(2.0 * self.width, 2)
         );
         OutlineError::place(shown(self.at), problem)
     }

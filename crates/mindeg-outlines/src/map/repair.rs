@@ -3,6 +3,7 @@
 //! Vertices that are nearer to each other than a tolerance become the first of them, and an edge that passes a vertex so
 //! near goes through it. A place that several polygons cover becomes that of the first.
 
+use mindeg_mesh::significant;
 use std::collections::BTreeMap;
 
 use glam::DVec2;
@@ -162,7 +163,7 @@ impl Done {
         let mut said = Vec::new();
         if self.moved > 0 {
             let (points, farthest) = (counted(self.moved, "point"), self.farthest);
-            said.push(format!("moved {points} by {farthest:.2e} at most"));
+            said.push(format!("moved {points} by {} at most", significant(farthest, 3)));
         }
         if self.added > 0 {
             said.push(format!("added {} where edges meet", counted(self.added, "point")));
@@ -182,7 +183,8 @@ impl Done {
             let names: Vec<String> =
                 covering.iter().take(2).map(|&index| name_of(features, index)).collect();
             said.push(format!(
-                "gave an area of {area:.2e}, where polygons overlap, to the first of them: the most of it to {}, at {}",
+                "gave an area of {}, where polygons overlap, to the first of them: the most of it to {}, at {}",
+                significant(area, 3),
                 names.join(", not "),
                 shown(*at)
             ));
@@ -196,7 +198,8 @@ impl Done {
         let count = counted(features.len(), "polygon");
         let tolerance = self.tolerance;
         format!(
-            "repaired {count} together, with points nearer than {tolerance:.2e} as one: {}",
+            "repaired {count} together, with points nearer than {} as one: {}",
+            significant(tolerance, 3),
             said.join("; ")
         )
     }

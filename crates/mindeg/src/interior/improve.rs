@@ -1,5 +1,6 @@
 //! The optimiser on a planar mesh of any program, in any plane of space.
 
+use mindeg_mesh::significant;
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::error::MeshError;
@@ -185,8 +186,10 @@ fn plane(mesh: &TriMesh, positions: &[DVec3], triangles: &[[u32; 3]]) -> Result<
         .max_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
     match farthest {
         Some((distance, vertex)) if distance > tolerance => Err(MeshError::Refused(format!(
-            "the mesh is not planar: vertex {vertex} (counted from 0) is {distance:.3e} off the plane \
-                 of the others; the tolerance is {tolerance:.3e}"
+            "the mesh is not planar: vertex {vertex} (counted from 0) is {} off the plane of the \
+             others; the tolerance is {}",
+            significant(distance, 4),
+            significant(tolerance, 4)
         ))),
         _ => Ok(plane),
     }

@@ -5,6 +5,7 @@ use std::fmt;
 use mindeg_domain::{Domain, InRing, Interior};
 use mindeg_interior::InteriorError;
 use mindeg_interior::limits::{Limits, TentLimit, limits};
+use mindeg_mesh::significant;
 
 use super::posed::Posed;
 
@@ -162,15 +163,15 @@ impl fmt::Display for Cause {
             Self::Corner { name, vertex, angle, lengths: [before, after], .. } => write!(
                 f,
                 "{name} (vertex {vertex}), where intervals of {} and {} meet at {}°",
-                short(*before),
-                short(*after),
-                short(*angle)
+                significant(*before, 4),
+                significant(*after, 4),
+                significant(*angle, 4)
             ),
             Self::Vertex { name, vertex, lengths: [before, after], .. } => write!(
                 f,
                 "vertex {vertex} on {name}, where intervals of {} and {} meet",
-                short(*before),
-                short(*after)
+                significant(*before, 4),
+                significant(*after, 4)
             ),
             Self::Facing { names: [first, second], vertices: [v, w], .. } => write!(
                 f,
@@ -178,22 +179,6 @@ impl fmt::Display for Cause {
                  intervals"
             ),
         }
-    }
-}
-
-/// A length with four digits.
-fn short(value: f64) -> String {
-    let digits = if value > 0.0 { libm::floor(libm::log10(value)) as i32 } else { 0 };
-    if (-4..6).contains(&digits) {
-        let places = (3 - digits).max(0) as usize;
-        let text = format!("{value:.places$}");
-        if text.contains('.') {
-            text.trim_end_matches('0').trim_end_matches('.').to_owned()
-        } else {
-            text
-        }
-    } else {
-        format!("{value:.3e}")
     }
 }
 
@@ -253,20 +238,6 @@ mod tests {
         let found = angle_limit(&domain.unwrap(), &Interior::default()).unwrap();
         let Cause::Corner { name, .. } = &found.cause else { unreachable!("{found:?}") };
         assert!(name == "corner 2 of hole 2" || name == "corner 3 of hole 2", "{found:?}");
-    }
-
-    #[test]
-    fn lengths_are_short() {
-        for (value, text) in [
-            (0.25, "0.25"),
-            (1.0 / 3.0, "0.3333"),
-            (123.456, "123.5"),
-            (20000.0, "20000"),
-            (1e-7, "1.000e-7"),
-            (2e9, "2.000e9"),
-        ] {
-            assert_eq!(short(value), text);
-        }
     }
 
     #[test]

@@ -1,0 +1,30 @@
+//! `mindeg formats`: the formats of files, and the rules of programs, once.
+
+use crate::failure::Failure;
+use crate::standard_output::print;
+use mindeg_answers::preset::PRESETS;
+use mindeg_files::{Format, OutlineFormat};
+
+pub(crate) fn run() -> Result<(), Failure> {
+    let dotted = |extensions: &[&str]| {
+        extensions.iter().map(|extension| format!(".{extension}")).collect::<Vec<_>>().join(" ")
+    };
+    let row = |first: &str, files: &[&str], way: &str, what: &str| {
+        format!("  {first:<8}{:<27}{way:<9}{what}\n", dotted(files))
+    };
+    let mut text = String::from("Meshes, by the name that --format takes\n");
+    for format in Format::WRITTEN {
+        let way = if Format::READ.contains(&format) { "in, out" } else { "out" };
+        text += &row(format.name(), format.extensions(), way, format.description());
+    }
+    text += "\nOutlines, which become domains\n";
+    text += &row("", &["json"], "in, out", "a domain or a model, which mindeg schema describes");
+    for format in OutlineFormat::ALL {
+        text += &row("", format.extensions(), "in", format.name());
+    }
+    text += "\nPrograms, whose rules --preset checks\n";
+    for preset in &PRESETS {
+        text += &format!("  {:<7} {}\n", preset.name, preset.description);
+    }
+    print(&text)
+}

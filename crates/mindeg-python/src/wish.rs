@@ -1,0 +1,119 @@
+//! The mesh that is wanted: a goal, or points inside.
+
+use std::borrow::Cow;
+
+use mindeg::{Domain, GOALS, Goal, InnerPoint, Interior};
+use mindeg_answers::interior::InteriorAnswer;
+use mindeg_answers::mesh::found_by;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use serde_json::{Map, Value};
+
+use crate::dict::dict;
+use crate::interior;
+use crate::mesh::{Facts, Mesh};
+use crate::work::{done, value_error};
+
+/// The mesh that is wanted: a dict that the Python side makes of keyword arguments.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub(crate) struct Wish<'py> {
+    /// Whether points are inside; as the domain says, if it is not given.
+    interior: Option<bool>,
+    /// The options of points inside, in JSON.
+    options: String,
+    goal: Bound<'py, PyDict>,
+}
+
+impl Wish<'_> {
+    /// Whether points are inside, where the domain itself asks for them or not; refuses what has no meaning then.
+    pub(crate) fn has_interior(&self, is_asked_for: bool) -> PyResult<bool> {
+        let has_interior = self.interior.unwrap_or(is_asked_for);
+        if has_interior {
+            if let Some((key, _)) = self.goal.iter().find(|(_, value)| !value.is_none()) {
+                return Err(value_error(format!(
+                    "{key} is for meshes of boundary points alone; with points inside, interior_degree and \
+                     boundary_degree limit degrees, and the angle is as large as found anyway"
+                )));
+            }
+        } else {
+            let options: Map<String, Value> =
+                serde_json::from_str(&self.options).map_err(value_error)?;
+            if let Some(key) = options.keys().next() {
+                return Err(value_error(format!(
+                    "{key} is for meshes with points inside; give interior=True"
+                )));
+            }
+        }
+        Ok(has_interior)
+    }
+
+    pub(crate) fn goal(&self) -> PyResult<Goal> {
+        read_goal(&self.goal)
+    }
+
+    /// What is wanted of points inside, in place of what a domain itself wants, and the points that the mesh must have.
+    pub(crate) fn wanted(&self, base: &Interior) -> PyResult<(Interior, Vec<InnerPoint>)> {
+        interior::wanted(&self.options, base)
+    }
+
+    /// The mesh of a domain.
+    pub(crate) fn mesh_of(&self, py: Python<'_>, domain: &Domain) -> PyResult<Mesh> {
+        if self.has_interior(domain.interior().is_some())? {
+            return self.with_points_inside(py, domain);
+        }
+        let goal = self.goal()?;
+        let meshed = done(py, |progress| mindeg::mesh(domain, goal, progress))?;
+        let facts = Facts {
+            least_max_degree: meshed.is_least_proven.then_some(meshed.least_max_degree),
+            found_by: Some(found_by(meshed.found_by).to_owned()),
+            report: None,
+        };
+        Ok(Mesh::new(meshed.mesh, facts))
+    }
+
+    fn with_points_inside(&self, py: Python<'_>, domain: &Domain) -> PyResult<Mesh> {
+        let base = domain.interior().cloned().unwrap_or_default();
+        let (wanted, points) = self.wanted(&base)?;
+        let mut domain = Cow::Borrowed(domain);
+        if !points.is_empty() {
+            let mut inside = domain.inside().clone();
+            inside.points.extend(points);
+            domain = Cow::Owned(domain.with_inside(inside).map_err(value_error)?);
+        }
+        let found = done(py, |progress| mindeg::interior::mesh(&domain, &wanted, progress))?;
+        let report = dict(py, &InteriorAnswer::from(&found))?.cast_into::<PyDict>()?.unbind();
+        Ok(Mesh::new(found.mesh, Facts { report: Some(report), ..Facts::default() }))
+    }
+}
+
+/// The goal among keyword arguments; one that is `None` is not given.
+fn read_goal(given: &Bound<'_, PyDict>) -> PyResult<Goal> {
+    let mut found: Option<(String, Goal)> = None;
+    for (key, value) in given.iter().filter(|(_, value)| !value.is_none()) {
+        let key = key.to_string();
+        let Some(kind) = GOALS.iter().find(|kind| kind.key == key) else {
+            let keys: Vec<&str> = GOALS.iter().map(|kind| kind.key).collect();
+            return Err(value_error(format!(
+                "no goal is named \"{key}\"; give {}",
+                keys.join(", ")
+            )));
+        };
+        if let Some((other, _)) = found {
+            return Err(value_error(format!(
+                "{other} and {key} exclude each other; give one of them"
+            )));
+        }
+        let goal = kind.read(&value.str()?.to_string_lossy());
+        let goal = goal.map_err(|problem| value_error(format!("{key}: {problem}")))?;
+        found = Some((key, goal));
+    }
+    Ok(found.map(|(_, goal)| goal).unwrap_or_default())
+}
+
+/// The goals of a mesh, as dicts.
+#[pyfunction]
+#[pyo3(name = "_goals")]
+pub(crate) fn goals(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
+    dict(py, &GOALS)
+}
