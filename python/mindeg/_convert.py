@@ -25,7 +25,15 @@ def to_meshio(mesh):
     sets = {name: [np.array([], dtype=int)] * len(cells) for name, _, _ in items}
     for name, block, indices in items:
         sets[name][block] = indices
-    return meshio.Mesh(_in_space(mesh), cells, point_data={"degree": mesh.degrees}, cell_sets=sets)
+    # Gmsh's formats have names by number alone.
+    numbers, names = [np.zeros(len(of_block), dtype=np.int32) for _, of_block in cells], {}
+    for number, (name, block, indices) in enumerate(items, 1):
+        numbers[block][indices] = number
+        names[name] = np.array([number, {"triangle": 2, "line": 1, "vertex": 0}[cells[block][0]]])
+    tags = {"gmsh:physical": numbers, "gmsh:geometrical": numbers} if items else {}
+    return meshio.Mesh(
+        _in_space(mesh), cells, point_data={"degree": mesh.degrees}, cell_data=tags, cell_sets=sets, field_data=names
+    )
 
 
 def to_trimesh(mesh):

@@ -78,3 +78,7 @@ def test_meshio(mesh, tmp_path):
     again = meshio.read(tmp_path / "mesh.vtu")
     assert np.array_equal(again.cells_dict["triangle"], mesh.triangles)
     assert len(mindeg.read(tmp_path / "mesh.vtu").triangles) == len(mesh.triangles)
+    # Gmsh's format by meshio has the names, too.
+    other.write(tmp_path / "mesh.msh", file_format="gmsh22")
+    lines = mindeg.read(tmp_path / "mesh.msh").lines
+    assert {name: len(segments) for name, segments in lines.items()} == {name: len(segments) for name, segments in mesh.lines.items()}

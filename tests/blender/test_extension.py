@@ -3,9 +3,10 @@
 import importlib.util
 import math
 import os
+import subprocess
 import sys
 import time
-import zipfile
+import types
 from pathlib import Path
 
 import bpy  # Before bmesh, which it brings.
@@ -405,14 +406,66 @@ def test_long_work_tells_how_far_it_is_and_ends_when_cancelled(extension):
     assert long.words.startswith("mindeg: "), long.words
 
 
-def test_the_zip_has_the_operators_and_the_wheel():
+INSTALL = """
+import sys
+import bpy
+bpy.ops.extensions.package_install_files(filepath=sys.argv[1], repo="user_default", enable_on_install=True)
+print("enabled", [name for name in bpy.context.preferences.addons.keys() if name.endswith(".mindeg")])
+print("registered", hasattr(bpy.types, "MESH_OT_mindeg_fill"))
+"""
+
+
+def test_the_zip_is_installed_with_its_wheel(tmp_path):
     path = os.environ.get("MINDEG_EXTENSION")
     if not path:
-        pytest.skip("the zip is built by tests/blender/run")
-    with zipfile.ZipFile(path) as zipped:
-        names = set(zipped.namelist())
-        manifest = zipped.read("blender_manifest.toml").decode()
-    wheel = next(name for name in names if name.endswith(".whl"))
-    assert {"__init__.py", "operators.py", "loops.py", "working.py", "LICENSE"} <= names
-    assert f'wheels = ["./{wheel}"]' in manifest and "platforms = [" in manifest
-    assert Path(path).name.startswith("mindeg-")
+        pytest.skip("tests/blender/run builds the zip")
+    # In a Blender of its own: here the operators are registered already.
+    run = subprocess.run(
+        [sys.executable, "-c", INSTALL, path],
+        env={**os.environ, "BLENDER_USER_RESOURCES": str(tmp_path)},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert "enabled ['bl_ext.user_default.mindeg']" in run.stdout and "registered True" in run.stdout, run.stdout
+    assert list(tmp_path.glob("extensions/.local/lib/python3*/site-packages/mindeg/_mindeg*"))
+
+
+def test_a_menu_waits_without_a_frozen_window_and_esc_leaves_the_mesh(extension):
+    """The steps that Blender takes with a window, which this Blender has not."""
+    thing = edit(circle(900, wave=0.3), ring_edges(900))
+    told = []
+
+    class FromMenu(extension.operators._LongWork):
+        interior, max_degree, keep_angle = False, 6, 0.95
+        plan = extension.operators.MESH_OT_mindeg_fill.plan
+
+        def report(self, kind, words):
+            told.append((kind, words))
+
+    space = types.SimpleNamespace
+    shown, timers = [], []
+    context = space(
+        edit_object=thing,
+        window=None,
+        workspace=space(status_text_set=shown.append),
+        window_manager=space(
+            event_timer_add=lambda *_, **__: timers.append(1) or "timer",
+            event_timer_remove=lambda timer: timers.remove(1),
+            modal_handler_add=lambda operator: None,
+        ),
+    )
+    operator = FromMenu()
+    assert operator.invoke(context, None) == {"RUNNING_MODAL"} and timers == [1]
+    assert operator.modal(context, space(type="TIMER")) == {"RUNNING_MODAL"} and "Esc cancels" in shown[-1]
+    ended = operator.modal(context, space(type="ESC"))
+    deadline = time.monotonic() + 60
+    while ended == {"RUNNING_MODAL"} and time.monotonic() < deadline:
+        time.sleep(0.05)
+        ended = operator.modal(context, space(type="TIMER"))
+    assert ended == {"CANCELLED"} and timers == [] and shown[-1] is None
+    assert told == [({"INFO"}, "Cancelled; the mesh is as it was")] and measured(thing)[1] == 0
+    # What is over at once needs no bar.
+    context.edit_object = small = edit(circle(12), ring_edges(12))
+    assert operator.invoke(context, None) == {"FINISHED"} and timers == []
+    assert measured(small)[1] == 10 and told[-1][1].startswith("Filled 1 hole with 10 triangles: ")

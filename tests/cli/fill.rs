@@ -159,7 +159,7 @@ fn loops_are_chosen_by_number_vertex_and_point() {
         ),
         ("v12", &["no boundary loop through vertex 12"]),
         ("v99999999", &["no boundary loop through vertex 99999999"]),
-        ("0", &["--loop", "the number of a loop such as 2"]),
+        ("0", &["--loop", "the index of a loop from 1, such as 2"]),
         ("1,2", &["--loop", "a point near it such as 0,0,1.5"]),
     ] {
         let (folder, run) = fill("both.obj", &cones(), &["--loop", choice]);
@@ -305,4 +305,32 @@ fn any_number_of_threads_writes_the_same_bytes() {
             assert_eq!(read(format!("{threads}.{format}")), read(format!("1.{format}")));
         }
     }
+}
+
+/// A frame of eight triangles round a square hole, flat.
+const FRAME: &str = "v 0 0 0\nv 3 0 0\nv 3 3 0\nv 0 3 0\nv 1 1 0\nv 2 1 0\nv 2 2 0\nv 1 2 0\nf 1 2 6\nf 1 6 5\nf 2 3 7\n\
+                     f 2 7 6\nf 3 4 8\nf 3 8 7\nf 4 1 5\nf 4 5 8\n";
+
+#[test]
+fn the_rim_of_a_flat_sheet_stays_open_unless_it_is_named() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [file, out] = ["frame.obj", "closed.obj"].map(|name| folder.path().join(name));
+    std::fs::write(&file, FRAME).expect("a file");
+    let [file, out] = [&file, &out].map(|path| path.to_str().expect("a name"));
+    let run = mindeg(["fill", file, "-o", out]);
+    assert_eq!(run.code, Some(0), "{}", run.errors);
+    for words in [
+        "filled 1 loop with 2 triangles",
+        "loop 1 (4 vertices from vertex 0 on) stays open: it is the rim",
+    ] {
+        assert!(run.errors.contains(words), "{words}: {}", run.errors);
+    }
+    assert!(!run.errors.contains("cross"), "{}", run.errors);
+    mindeg(["fill", out, "-o", file]).refuses(&[
+        "no loop to fill",
+        "rim of a flat sheet",
+        "name it",
+    ]);
+    let run = mindeg(["fill", out, "-o", &format!("{out}.obj"), "--loop", "1"]);
+    assert!(run.errors.contains("filled 1 loop"), "{}", run.errors);
 }

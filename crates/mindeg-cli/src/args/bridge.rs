@@ -36,7 +36,7 @@ pub(crate) struct BridgeArguments {
     #[command(flatten)]
     pub(crate) surface: SurfaceArguments,
 
-    /// The loop of the first mesh: its number such as 2, a vertex on it such as v17, or a point
+    /// The loop of the first mesh: its index from 1 such as 2, a vertex on it such as v17, or a point
     /// near it such as 0,0,1.5. Needed if there are several
     #[arg(long, value_name = "LOOP", allow_hyphen_values = true)]
     pub(crate) from: Option<LoopChoice>,

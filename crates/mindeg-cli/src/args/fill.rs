@@ -22,8 +22,9 @@ Examples:
 ///
 /// Loops that run into an edge with three faces or more, whose faces do not agree in orientation,
 /// or that bound a single triangle stay open, and the summary says why. New triangles that cross
-/// others are counted and named. The outer boundary of an open surface is a loop as well: keep it
-/// open with --max-loop, or name the loops to fill with --loop.
+/// others are counted and named. The rim of a flat sheet stays open unless --loop names it. The outer
+/// boundary of a bent open surface is a loop as well: keep it open with --max-loop, or name the loops to
+/// fill with --loop.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES, after_long_help = with_exit_codes(EXAMPLES))]
 pub(crate) struct FillArguments {
@@ -49,7 +50,7 @@ pub(crate) struct FillArguments {
     #[arg(long, value_name = "N", value_parser = whole_number, default_value = "500", allow_hyphen_values = true)]
     pub(crate) max_loop: u32,
 
-    /// Fill this loop alone: its number such as 2, a vertex on it such as v17, or a point near it
+    /// Fill this loop alone: its index from 1 such as 2, a vertex on it such as v17, or a point near it
     /// such as 0,0,1.5. May be given several times
     #[arg(long = "loop", value_name = "LOOP", allow_hyphen_values = true)]
     pub(crate) loops: Vec<LoopChoice>,

@@ -2,10 +2,10 @@
 
 use std::str::FromStr;
 
-/// A boundary loop: by its number in the list, by a vertex on it, or as the nearest to a point.
+/// A boundary loop: by its index in the list, by a vertex on it, or as the nearest to a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum LoopChoice {
-    /// Counted from 1.
+    /// From 1.
     Number(usize),
     /// A vertex, counted from 0.
     Vertex(u32),
@@ -18,7 +18,7 @@ impl FromStr for LoopChoice {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let problem = || {
-            "give the number of a loop such as 2, a vertex on it such as v17, or a point near it \
+            "give the index of a loop from 1, such as 2, a vertex on it such as v17, or a point near it \
              such as 0,0,1.5"
                 .to_owned()
         };
