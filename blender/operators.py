@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The operators: from a selection to loops, from triangles to faces. The work is in ``loops``."""
 
+import math
+
 import bmesh
 import bpy
 import mindeg
 from bpy.props import BoolProperty, FloatProperty, IntProperty
+from mathutils import Vector
+from mathutils.bvhtree import BVHTree
 
 from . import loops, working
 
@@ -280,6 +284,64 @@ class MESH_OT_mindeg_bridge(_LongWork, bpy.types.Operator):
         return task, finish
 
 
+class MESH_OT_mindeg_remesh(_LongWork, bpy.types.Operator):
+    """Mesh the whole surface anew with 5 to 7 edges at every vertex off its boundary; sharp edges stay"""
+
+    bl_idname = "mesh.mindeg_remesh"
+    bl_label = "Remesh with Few Poles"
+
+    size: FloatProperty(
+        name="Size", description="The length of edges; 0 for what suits the mesh", min=0, default=0, subtype="DISTANCE"
+    )
+    feature_angle: FloatProperty(
+        name="Sharp Angle",
+        description="Edges that turn by more than this stay edges",
+        min=0,
+        max=math.pi,
+        default=math.radians(40),
+        subtype="ANGLE",
+    )
+    keep_boundary: BoolProperty(
+        name="Keep Boundary", description="Keep the vertices of open borders where they are", default=False
+    )
+
+    def plan(self, bm):
+        points = _points(bm, range(len(bm.verts)))
+        triangles = [[corner.vert.index for corner in triangle] for triangle in bm.calc_loop_triangles()]
+        if not triangles:
+            raise ValueError("the mesh has no face")
+        wanted = {
+            "size": self.size or None,
+            "feature_angle": math.degrees(self.feature_angle),
+            "keep_boundary": self.keep_boundary,
+        }
+
+        def task():
+            return mindeg.remesh(points, triangles, **wanted)
+
+        def finish(bm, made):
+            old, tree = list(bm.faces), BVHTree.FromBMesh(bm)
+            gone = list(bm.verts)
+            vertices = [bm.verts.new((*point, 0)[:3]) for point in made.points.tolist()]
+            for triangle in made.triangles:
+                of_face = [vertices[vertex] for vertex in triangle]
+                center = sum((vertex.co for vertex in of_face), Vector()) / 3
+                # All three corners from one face, so that no triangle is torn along a seam.
+                like = old[tree.find_nearest(center)[2]]
+                face = bm.faces.new(of_face, like)
+                for corner in face.loops:
+                    corner.copy_from_face_interp(like, False, False)
+                face.select = True
+            for vertex in gone:
+                bm.verts.remove(vertex)
+            bm.normal_update()
+            off = len(made.report["off_degree"])
+            poles = "no pole" if off == 0 else f"{off} {'vertex' if off == 1 else 'vertices'} with other counts"
+            return f"Made {len(vertices)} vertices with 5 to 7 edges, {poles}, minimum angle {made.min_angle:.1f}°"
+
+        return task, finish
+
+
 class MESH_OT_mindeg_select_poles(_EditMesh, bpy.types.Operator):
     """Select the vertices with more edges than a limit"""
 
@@ -321,7 +383,13 @@ class MESH_OT_mindeg_report(_EditMesh, bpy.types.Operator):
         return f"{len(triangles)} triangles, degree {degree}, minimum angle {found['min_angle']:.1f}°"
 
 
-OPERATORS = [MESH_OT_mindeg_fill, MESH_OT_mindeg_bridge, MESH_OT_mindeg_select_poles, MESH_OT_mindeg_report]
+OPERATORS = [
+    MESH_OT_mindeg_fill,
+    MESH_OT_mindeg_bridge,
+    MESH_OT_mindeg_remesh,
+    MESH_OT_mindeg_select_poles,
+    MESH_OT_mindeg_report,
+]
 
 
 def _menu(self, _context):

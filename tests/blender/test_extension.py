@@ -469,3 +469,31 @@ def test_a_menu_waits_without_a_frozen_window_and_esc_leaves_the_mesh(extension)
     context.edit_object = small = edit(circle(12), ring_edges(12))
     assert operator.invoke(context, None) == {"FINISHED"} and timers == []
     assert measured(small)[1] == 10 and told[-1][1].startswith("Filled 1 hole with 10 triangles: ")
+
+
+def test_a_remesh_has_few_poles_and_keeps_shape_materials_and_uvs():
+    bpy.ops.object.mode_set(mode="OBJECT") if bpy.context.mode != "OBJECT" else None
+    bpy.ops.mesh.primitive_cube_add(size=2)
+    thing = bpy.context.object
+    bpy.ops.object.mode_set(mode="EDIT")
+    bm = bmesh.from_edit_mesh(thing.data)
+    uv = bm.loops.layers.uv.verify()
+    for face in bm.faces:
+        face.material_index = int(face.normal.z > 0.5)
+        for corner in face.loops:
+            corner[uv].uv = corner.vert.co.xy
+    bmesh.update_edit_mesh(thing.data)
+    assert bpy.ops.mesh.mindeg_remesh(size=0.4) == {"FINISHED"}
+    degree, faces, area, bm = measured(thing)
+    assert faces > 300 and area == pytest.approx(24, rel=1e-4)
+    assert degree <= 7 and min(len(vertex.link_edges) for vertex in bm.verts) >= 5
+    assert all(edge.is_manifold for edge in bm.edges)
+    uv = bm.loops.layers.uv.verify()
+    for face in bm.faces:
+        assert face.material_index == int(face.normal.z > 0.5)
+        if abs(face.normal.z) > 0.5:
+            for corner in face.loops:
+                assert tuple(corner[uv].uv) == pytest.approx(tuple(corner.vert.co.xy), abs=1e-3)
+    edit([(0, 0, 0), (1, 0, 0)], [(0, 1)])
+    with pytest.raises(RuntimeError, match="the mesh has no face"):
+        bpy.ops.mesh.mindeg_remesh()

@@ -16,7 +16,7 @@ fn two_points_on_edges_lift_the_limit_and_the_mesh() {
     assert_eq!(
         run.text(),
         "great-britain: 391 boundary points become 393: 0 dropped, 2 put on edges, 0 sharp corners cut off, 0 holes \
-         dropped\nIt moved nowhere. The minimum angle of a mesh can be 30.69°, 15.88° before.\n"
+         dropped\nIt moved nowhere. The minimum angle of a mesh can be 30.691°, 15.876° before.\n"
     );
     let angle = |domain: &str| {
         let mesh = folder.path().join("mesh.obj").display().to_string();

@@ -544,7 +544,7 @@ fn bad_maps_are_refused_with_the_place() {
         (
             "drawn-twice.wkt",
             format!("{twice}POLYGON((4.0005 0, 8 0, 8 4, 4.0005 4))"),
-            ["(4.0, 4.0)", "polygon 1 and polygon 2", "--repair --snap 1.0e-3 closes it"],
+            ["(4.0, 4.0)", "polygon 1 and polygon 2", "--repair --snap 0.001 closes it"],
         ),
         (
             "sliver.wkt",

@@ -111,12 +111,13 @@ fn examples_of_the_help_work() {
         ("lower.obj", crate::fill::cone(12, 1.0, 0.0)),
         ("upper.obj", crate::fill::cone(7, 2.0, 3.0)),
         ("both.obj", crate::fill::cones()),
+        ("part.obj", crate::fill::cone(9, 1.0, 0.0)),
     ] {
         std::fs::write(folder.path().join(name), content).expect("a file");
     }
-    let part = "\"$MINDEG\" mesh --rectangle 4x3 --size 1 -q -o part.obj -o part.glb -o part.gltf";
+    let part = "\"$MINDEG\" mesh --rectangle 4x3 --size 1 -q -o part.glb -o part.gltf";
     let verified = "\"$MINDEG\" mesh assets/domains/wing-panel.json -q -o wing-panel.obj && \
-                    \"$MINDEG\" mesh assets/domains/wing-panel.json --keep-angle 95% -q -o from-blender.glb && \
+                    \"$MINDEG\" mesh assets/domains/wing-panel.json --keep-angle 95% -q -o wing.glb && \
                     \"$MINDEG\" mesh --rectangle 4x3 --size 0.5 -q -o plate.stl";
     let remeshed = "\"$MINDEG\" convert assets/models/bracket.obj -o part.stl && \
                     \"$MINDEG\" convert part.stl -o scan.ply && \

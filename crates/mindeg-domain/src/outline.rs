@@ -150,8 +150,8 @@ mod tests {
             (1, &[[0.0, 0.0], [1.0, 0.0], [0.0, 1e101]], "corner 3 of hole 1 is at (0.0, 1e101); coordinates must be finite and at most 1e100 in size"),
             (0, &[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 0.0]], "corners 4 and 1 are the same point (0.0, 0.0); give each corner once (the outline closes by itself)"),
             (3, &[[0.0, 0.0], [1.0, 0.0], [1.0, 0.0], [0.0, 3.0]], "corners 2 and 3 of hole 3 are the same point (1.0, 0.0); give each corner once (the hole closes by itself)"),
-            (0, &[[0.0, 0.0], [1e-101, 0.0], [0.0, 1e-101]], "corners 1 and 2 coincide: their distance is 1.0e-101, and the minimum at these coordinates is 1.0e-100; drop one of them"),
-            (0, &[[0.0, 0.0], [4.0, 0.0], [4.0, 1e-17], [0.0, 3.0]], "corners 2 and 3 coincide: their distance is 1.0e-17, and the minimum at these coordinates is 7.1e-15; drop one of them"),
+            (0, &[[0.0, 0.0], [1e-101, 0.0], [0.0, 1e-101]], "corners 1 and 2 coincide: their distance is 1e-101, and the minimum at these coordinates is 1e-100; drop one of them"),
+            (0, &[[0.0, 0.0], [4.0, 0.0], [4.0, 1e-17], [0.0, 3.0]], "corners 2 and 3 coincide: their distance is 1e-17, and the minimum at these coordinates is 7.1e-15; drop one of them"),
         ];
         for (ring, corners, message) in table {
             let corners: Vec<DVec2> = corners.iter().copied().map(DVec2::from).collect();

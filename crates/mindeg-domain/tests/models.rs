@@ -106,7 +106,7 @@ fn bad_faces_are_refused_with_a_reason() {
         ("[0,2,1,3]", "face 6 has no area; remove it or move its corners"),
         (
             "[0,1,6,3]",
-            "off its plane, and the tolerance is 1.000e-5; cut the face in triangles, or raise the \
+            "off its plane, and the tolerance is 0.00001; cut the face in triangles, or raise the \
              tolerance",
         ),
     ] {
@@ -217,7 +217,7 @@ fn what_is_odd_is_noted() {
     let bent = Model::from_json(&bent).unwrap();
     let [note] = bent.notes() else { panic!("one note") };
     assert!(note.starts_with("1 face is not quite planar: corners are up to 2.5e-7 off (face 1)"));
-    assert!(note.ends_with("within the tolerance of 1.0e-5."), "{note}");
+    assert!(note.ends_with("within the tolerance of 0.00001."), "{note}");
 }
 
 fn with(merge_coplanar: bool) -> FromMesh {
