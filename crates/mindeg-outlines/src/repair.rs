@@ -312,7 +312,7 @@ mod tests {
         assert!(hole[0][1] > 0.5 && hole[0][1] < 0.6, "{hole:?}");
         assert_eq!(
             notes,
-            ["repaired polygon 1: moved 1 vertex of touching holes by 5.59e-1 at most"]
+            ["repaired polygon 1: moved 1 vertex of touching holes by 0.559 at most"]
         );
     }
 

@@ -254,7 +254,7 @@ mod tests {
         let message = error.unwrap_err().to_string();
         assert_eq!(
             message,
-            "the size 1e-12 makes 4.0e12 points, and at most 50000000 are stored; give a larger size"
+            "the size 1e-12 makes 4e12 points, and at most 50000000 are stored; give a larger size"
         );
     }
 
