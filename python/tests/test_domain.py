@@ -206,5 +206,5 @@ def test_what_a_map_cannot_be_is_said():
         with pytest.raises(ValueError, match=".*") as raised:
             mindeg.mesh(overlap, interior=True, **options)
         assert message in str(raised.value), options
-    with pytest.raises(TypeError, match="int has no polygons"):
+    with pytest.raises(TypeError, match="int is no domain"):
         mindeg.mesh(3)

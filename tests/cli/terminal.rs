@@ -115,7 +115,7 @@ fn examples_of_the_help_work() {
     ] {
         std::fs::write(folder.path().join(name), content).expect("a file");
     }
-    let part = "\"$MINDEG\" mesh --rectangle 4x3 --size 1 -q -o part.glb -o part.gltf";
+    let part = "\"$MINDEG\" convert part.obj -q -o part.glb -o part.gltf";
     let verified = "\"$MINDEG\" mesh assets/domains/wing-panel.json -q -o wing-panel.obj && \
                     \"$MINDEG\" mesh assets/domains/wing-panel.json --keep-angle 95% -q -o wing.glb && \
                     \"$MINDEG\" mesh --rectangle 4x3 --size 0.5 -q -o plate.stl";

@@ -1,10 +1,8 @@
 //! A domain: what to mesh.
 
-use std::hash::{DefaultHasher, Hash, Hasher};
-
 use crate::answers::{Degree, Suggestion, TradeOffPoint};
 use crate::arrays;
-use crate::mesh::{Facts, Mesh};
+use crate::mesh::{Facts, Mesh, hash_of};
 use crate::wish::Wish;
 use crate::work::{done, value_error};
 use mindeg::changes::count_changes;
@@ -145,18 +143,6 @@ impl Domain {
             self.inner.sides().len(),
         )
     }
-}
-
-/// A hash of points that are equal where meshes or domains are.
-pub(crate) fn hash_of(points: &dyn Positions) -> u64 {
-    let count = points.vertex_count();
-    let some =
-        filled(0..count.min(16), DVec3::ZERO, |first, out| points.fill_positions(first, out));
-    let mut hasher = DefaultHasher::new();
-    count.hash(&mut hasher);
-    // -0.0 is 0.0.
-    some.iter().for_each(|point| point.to_array().map(|x| (x + 0.0).to_bits()).hash(&mut hasher));
-    hasher.finish()
 }
 
 /// A fault in the words of the arguments of which the text was made.

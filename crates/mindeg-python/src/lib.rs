@@ -35,13 +35,13 @@ mod _mindeg {
     #[pymodule_export]
     use super::loops::{bridge, bridge_loops, fill, fill_loop};
     #[pymodule_export]
-    use super::mesh::{Mesh, improve, inspect, read};
+    use super::mesh::{Mesh, improve, read};
     #[pymodule_export]
     use super::outlines::{domain_of_outline, mesh_of_file, mesh_of_mesh};
     #[pymodule_export]
     use super::remesh::remesh;
     #[pymodule_export]
-    use super::verify::{presets, verify};
+    use super::verify::{inspect, presets, verify};
     #[pymodule_export]
     use super::wish::goals;
 

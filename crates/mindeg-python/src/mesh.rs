@@ -1,13 +1,12 @@
 //! A mesh: numpy arrays, its figures, its files.
 
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
 
 use mindeg::glam::DVec3;
-use mindeg::inspection::{Inspection, InspectionOptions};
 use mindeg::quality::TriangleQuality;
-use mindeg::{Group, Mesh as AnyMesh, TriMesh};
-use mindeg_answers::inspected::InspectionReport;
+use mindeg::{Group, Mesh as AnyMesh, Positions, TriMesh};
 use mindeg_answers::interior::InteriorAnswer;
 use mindeg_files::{Input, Session, svg};
 use mindeg_mesh::{ByName, filled};
@@ -17,11 +16,9 @@ use pyo3::types::PyDict;
 
 use crate::arrays;
 use crate::dict::dict;
-use crate::domain::hash_of;
 use crate::interior;
 use crate::pickled::{self, PickledGroups, PickledParts};
 use crate::save::{self, Wanted};
-use crate::verify::demands;
 use crate::work::{done, value_error};
 
 /// A triangle mesh. `points` is (n, 2) or (n, 3) float64, `triangles` (m, 3) uint32, counter-clockwise.
@@ -329,55 +326,6 @@ pub(crate) fn read(py: Python<'_>, path: PathBuf) -> PyResult<Mesh> {
     Ok(Mesh::new(mesh, Facts::default()))
 }
 
-/// The faults of a mesh, or of points and triangles, and its quality: a dict with the keys of
-/// `mindeg inspect --json`, which `docs/inspect.md` explains.
-///
-/// Vertices at most `weld` apart count as one; none do with `None`. The boundary turns at a corner by more than `corner_angle`
-/// degrees; vertices with more than `poles_above` edges are listed. `failed` has, in sentences, where the mesh breaks `max_degree`,
-/// `target_angle` in degrees, or the rules of a `preset` of `mindeg.PRESETS`.
-#[pyfunction]
-#[pyo3(
-    signature = (
-        points, triangles=None, *, weld=Some(0.0), corner_angle=1.0, poles_above=8, max_degree=None, target_angle=None,
-        preset=None
-    ),
-    text_signature = "(points, triangles=None, *, weld=0.0, corner_angle=1.0, poles_above=8, max_degree=None, target_angle=None, preset=None)"
-)]
-#[expect(clippy::too_many_arguments, reason = "they are keywords in Python")]
-pub(crate) fn inspect<'py>(
-    py: Python<'py>,
-    points: &Bound<'py, PyAny>,
-    triangles: Option<&Bound<'py, PyAny>>,
-    weld: Option<f64>,
-    corner_angle: f64,
-    poles_above: u32,
-    max_degree: Option<u32>,
-    target_angle: Option<f64>,
-    preset: Option<&str>,
-) -> PyResult<Bound<'py, PyAny>> {
-    if let Some(weld) = weld.filter(|weld| !(weld.is_finite() && *weld >= 0.0)) {
-        return Err(value_error(format!("weld is {weld}; give a length of 0 or more, or None")));
-    }
-    if !(0.0..=180.0).contains(&corner_angle) {
-        return Err(value_error(format!(
-            "corner_angle is {corner_angle}; give degrees from 0 to 180"
-        )));
-    }
-    let mesh = tri_mesh(points, triangles)?;
-    let options = InspectionOptions { weld, corner_angle, pole_degree: poles_above };
-    let demands = demands(max_degree, target_angle, preset)?;
-    let (report, failed) = py.detach(|| {
-        let found = Inspection::of(&mesh, &options);
-        let report = InspectionReport::new(None, &mesh, &found, &options);
-        let welded = options.weld.map(|tolerance| mesh.welded(tolerance));
-        let failed = demands.unmet_by(welded.as_ref().unwrap_or(&mesh), report.min_angle);
-        (report, failed)
-    });
-    let report = dict(py, &report)?;
-    report.set_item("failed", failed)?;
-    Ok(report)
-}
-
 /// The optimiser alone on a planar mesh; the package names the options.
 #[pyfunction]
 #[pyo3(name = "_improve")]
@@ -393,6 +341,18 @@ pub(crate) fn improve(
     let report = dict(py, &InteriorAnswer::from(&found.after))?.cast_into::<PyDict>()?;
     report.set_item("before", dict(py, &InteriorAnswer::from(&found.before))?)?;
     Ok(Mesh::new(found.mesh, Facts { report: Some(report.unbind()), ..Facts::default() }))
+}
+
+/// A hash of points that are equal where meshes or domains are.
+pub(crate) fn hash_of(points: &dyn Positions) -> u64 {
+    let count = points.vertex_count();
+    let some =
+        filled(0..count.min(16), DVec3::ZERO, |first, out| points.fill_positions(first, out));
+    let mut hasher = DefaultHasher::new();
+    count.hash(&mut hasher);
+    // -0.0 is 0.0.
+    some.iter().for_each(|point| point.to_array().map(|x| (x + 0.0).to_bits()).hash(&mut hasher));
+    hasher.finish()
 }
 
 /// A mesh in hand, or points and triangles, as a list.

@@ -1,7 +1,9 @@
-//! Meshes beside what they were made for.
+//! Meshes judged: what is wrong with one, and whether it is what it was made for.
 
+use mindeg::inspection::{Inspection, InspectionOptions};
 use mindeg::verify::{SurfaceRules, optimality, surface, triangulation};
 use mindeg_answers::demands::Demands;
+use mindeg_answers::inspected::InspectionReport;
 use mindeg_answers::preset::{PRESETS, Preset};
 use mindeg_answers::surface::SurfaceAnswer;
 use mindeg_answers::verify::{VerifyAnswer, VerifyDemands};
@@ -11,7 +13,7 @@ use pyo3::types::PyDict;
 
 use crate::dict::dict;
 use crate::domain::Domain;
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, tri_mesh};
 use crate::work::{done, value_error};
 
 /// How far a remesh may be from its part, as a share of the part's diagonal, where nothing else is asked for.
@@ -26,6 +28,55 @@ pub(crate) fn presets(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
         dict.set_item(preset.name, preset.description)?;
     }
     Ok(dict)
+}
+
+/// The faults of a mesh, or of points and triangles, and its quality: a dict with the keys of
+/// `mindeg inspect --json`, which `docs/inspect.md` explains.
+///
+/// Vertices at most `weld` apart count as one; none do with `None`. The boundary turns at a corner by more than `corner_angle`
+/// degrees; vertices with more than `poles_above` edges are listed. `failed` has, in sentences, where the mesh breaks `max_degree`,
+/// `target_angle` in degrees, or the rules of a `preset` of `mindeg.PRESETS`.
+#[pyfunction]
+#[pyo3(
+    signature = (
+        points, triangles=None, *, weld=Some(0.0), corner_angle=1.0, poles_above=8, max_degree=None, target_angle=None,
+        preset=None
+    ),
+    text_signature = "(points, triangles=None, *, weld=0.0, corner_angle=1.0, poles_above=8, max_degree=None, target_angle=None, preset=None)"
+)]
+#[expect(clippy::too_many_arguments, reason = "they are keywords in Python")]
+pub(crate) fn inspect<'py>(
+    py: Python<'py>,
+    points: &Bound<'py, PyAny>,
+    triangles: Option<&Bound<'py, PyAny>>,
+    weld: Option<f64>,
+    corner_angle: f64,
+    poles_above: u32,
+    max_degree: Option<u32>,
+    target_angle: Option<f64>,
+    preset: Option<&str>,
+) -> PyResult<Bound<'py, PyAny>> {
+    if let Some(weld) = weld.filter(|weld| !(weld.is_finite() && *weld >= 0.0)) {
+        return Err(value_error(format!("weld is {weld}; give a length of 0 or more, or None")));
+    }
+    if !(0.0..=180.0).contains(&corner_angle) {
+        return Err(value_error(format!(
+            "corner_angle is {corner_angle}; give degrees from 0 to 180"
+        )));
+    }
+    let mesh = tri_mesh(points, triangles)?;
+    let options = InspectionOptions { weld, corner_angle, pole_degree: poles_above };
+    let demands = demands(max_degree, target_angle, preset)?;
+    let (report, failed) = py.detach(|| {
+        let found = Inspection::of(&mesh, &options);
+        let report = InspectionReport::new(None, &mesh, &found, &options);
+        let welded = options.weld.map(|tolerance| mesh.welded(tolerance));
+        let failed = demands.unmet_by(welded.as_ref().unwrap_or(&mesh), report.min_angle);
+        (report, failed)
+    });
+    let report = dict(py, &report)?;
+    report.set_item("failed", failed)?;
+    Ok(report)
 }
 
 /// What a mesh must keep, by keyword arguments.

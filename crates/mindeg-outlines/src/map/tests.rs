@@ -272,9 +272,7 @@ fn a_repair_keeps_borders_shared() {
     let areas: Vec<f64> = doubled_areas(&domains).into_values().collect();
     assert_eq!(areas, [32.0, 32.0, 8.0]);
     assert_eq!(lines(map).len(), 2);
-    for words in
-        ["points nearer than 0.01 as one", "moved 2 points by 0.001", "an area of 4,"]
-    {
+    for words in ["points nearer than 0.01 as one", "moved 2 points by 0.001", "an area of 4,"] {
         assert!(note.contains(words), "{note}");
     }
     // Without a distance the gap stays.
