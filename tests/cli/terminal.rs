@@ -120,7 +120,7 @@ fn examples_of_the_help_work() {
                     \"$MINDEG\" mesh assets/domains/wing-panel.json --keep-angle 95% -q -o wing.glb && \
                     \"$MINDEG\" mesh --rectangle 4x3 --size 0.5 -q -o plate.stl";
     let remeshed = "\"$MINDEG\" convert assets/models/bracket.obj -o part.stl && \
-                    \"$MINDEG\" convert part.stl -o scan.ply && \
+                    cp part.stl dirty.stl && \"$MINDEG\" convert part.stl -o scan.ply && \
                     \"$MINDEG\" remesh part.stl --size 4 -q -o remeshed.stl";
     for made in [part, verified, remeshed] {
         assert_eq!(crate::run::shell(folder.path(), made).code, Some(0), "{made}");
