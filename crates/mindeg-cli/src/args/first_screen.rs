@@ -2,16 +2,16 @@
 
 use clap::Command;
 
-/// The arguments that `-h` shows of a command with very many, under headings of its own and in this order.
-const SHOWN: [(&str, &[(&str, &[&str])]); 1] = [(
-    "mesh",
-    &[
-        ("", &["domain"]),
-        ("Mesh", &["interior", "target_angle", "growth", "keep_angle", "max_degree", "preset"]),
-        ("Sizes", &["rectangle", "size"]),
-        ("Output", &["output", "json"]),
-    ],
-)];
+/// Headings, and the arguments below each.
+type Groups = [(&'static str, &'static [&'static str])];
+
+/// The arguments that `-h` shows of `mesh`, which has very many, under headings of its own and in this order.
+const OF_MESH: &Groups = &[
+    ("", &["domain"]),
+    ("Mesh", &["interior", "target_angle", "growth", "keep_angle", "max_degree", "preset"]),
+    ("Sizes", &["rectangle", "size"]),
+    ("Output", &["output", "json"]),
+];
 
 /// What `-h` hides in all other commands: what few need, and those know from `--help`.
 const HIDDEN: [&str; 20] = [
@@ -46,7 +46,7 @@ pub(super) fn shortened(command: Command) -> Command {
         command.get_subcommands().map(|command| command.get_name().to_owned()).collect();
     names.into_iter().fold(command, |command, name| {
         command.mut_subcommand(&name, |command| {
-            let groups = SHOWN.iter().find(|(shown, _)| *shown == name).map(|(_, groups)| *groups);
+            let groups = (name == "mesh").then_some(OF_MESH);
             let command = command.mut_args(|arg| {
                 let arg = match arg.get_help().map(ToString::to_string) {
                     Some(text) => arg.help(first_sentence(&text).to_owned()),
@@ -115,7 +115,7 @@ mod tests {
     fn the_help_of_mesh_fits_a_screen() {
         let [short, long] = help("mesh");
         assert!(short.lines().count() <= 40, "{short}");
-        for (_, ids) in super::SHOWN[0].1 {
+        for (_, ids) in super::OF_MESH {
             for id in *ids {
                 assert!(short.to_lowercase().contains(&id.replace('_', "-")), "{id} {short}");
             }

@@ -104,9 +104,14 @@ fn with_decimal_hint(text: &str, example: &str) -> String {
 /// A length above 0.
 pub(crate) fn length(text: &str) -> Result<f64, String> {
     let length = text.trim().parse().ok().filter(|&length: &f64| length > 0.0);
-    length
-        .filter(|length| length.is_finite())
-        .ok_or_else(|| with_decimal_hint(text, "give a length above 0, such as 0.5"))
+    let number = text.trim().trim_end_matches(|c: char| c.is_alphabetic()).trim_end();
+    let example = match number.parse::<f64>() {
+        Ok(number) if number > 0.0 && length.is_none() => {
+            "give a length in the unit of the coordinates, without its name, such as 0.5"
+        }
+        _ => "give a length above 0, such as 0.5",
+    };
+    length.filter(|length| length.is_finite()).ok_or_else(|| with_decimal_hint(text, example))
 }
 
 /// An angle from 0 to 180 degrees.
