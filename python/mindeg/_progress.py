@@ -6,10 +6,13 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 
+from ._options import shows_its_options
+
 #: What long work calls; the library looks here.
 callback: ContextVar[Callable[[str, int, int], object] | None] = ContextVar("mindeg.progress", default=None)
 
 
+@shows_its_options()
 @contextmanager
 def progress(call: Callable[[str, int, int], object]) -> Iterator[None]:
     """Long work in a ``with`` block calls ``call(stage, done, total)`` about twenty times a second.

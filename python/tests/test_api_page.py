@@ -69,7 +69,7 @@ def of_python(function, name):
         if parameter.kind is parameter.KEYWORD_ONLY and not is_keyword:
             is_keyword = True
             arguments.append("*")
-        arguments.append(plain(str(parameter).replace("'", "")))
+        arguments.append(plain(str(parameter)))
     gives = found.return_annotation
     return signature(name, arguments, "" if gives is found.empty else f" -> {plain(str(gives) if isinstance(gives, str) else repr(gives))}")
 
@@ -81,9 +81,9 @@ def stub(name, among=STUBS.body):
 def documented(thing, what):
     text = inspect.cleandoc(thing.__doc__ or "")
     assert text, f"{what} has no documentation"
+    text = re.sub(r"``([^`]+)``", r"`\1`", text)
     # Examples as blocks of code.
-    text = re.sub(r"(?m)^((?:>>>|\.\.\. ).*(?:\n(?!\n).*)*)", r"```python\n\1\n```", text)
-    return re.sub(r"``([^`]+)``", r"`\1`", text)
+    return re.sub(r"(?m)^((?:>>>|\.\.\. ).*(?:\n(?!\n).*)*)", r"```python\n\1\n```", text)
 
 
 def function(name, of=mindeg, qualified="mindeg"):
