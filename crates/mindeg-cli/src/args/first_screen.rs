@@ -14,7 +14,9 @@ const OF_MESH: &Groups = &[
 ];
 
 /// What `-h` hides in all other commands: what few need, and those know from `--help`.
-const HIDDEN: [&str; 20] = [
+const HIDDEN: [&str; 22] = [
+    "feature",
+    "proof",
     "format",
     "ascii",
     "msh_version",
@@ -48,8 +50,9 @@ pub(super) fn shortened(command: Command) -> Command {
         command.mut_subcommand(&name, |command| {
             let groups = (name == "mesh").then_some(OF_MESH);
             let command = command.mut_args(|arg| {
+                let is_json = arg.get_id() == "json";
                 let arg = match arg.get_help().map(ToString::to_string) {
-                    Some(text) => arg.help(first_sentence(&text).to_owned()),
+                    Some(text) => arg.help(first_sentence(&text, is_json).to_owned()),
                     None => arg,
                 };
                 let id = arg.get_id().as_str();
@@ -90,9 +93,10 @@ fn first_examples(text: &str) -> String {
     text.lines().take_while(is_shown).collect::<Vec<_>>().join("\n")
 }
 
-/// A text up to its first full stop or semicolon.
-fn first_sentence(text: &str) -> &str {
-    let ends = ["; ", ". "].iter().filter_map(|end| text.find(end));
+/// A text up to its first full stop or semicolon; of JSON also without its keys, which follow a colon.
+fn first_sentence(text: &str, is_json: bool) -> &str {
+    let ends = ["; ", ". ", ": "].iter().take(if is_json { 3 } else { 2 });
+    let ends = ends.filter_map(|end| text.find(end));
     ends.min().map_or(text, |end| &text[..end])
 }
 
