@@ -8,7 +8,9 @@ use std::path::{Path, PathBuf};
 
 /// Commands that run elsewhere, by their first words: builds, other programs' package managers, and a
 /// server that waits for its reader.
-const ELSEWHERE: [&str; 8] = [
+const ELSEWHERE: [&str; 10] = [
+    "cargo build",
+    "cc ",
     "cargo test",
     "cargo bench",
     "cargo install",

@@ -5,6 +5,8 @@
 mod claims;
 mod modules;
 mod packages;
+mod pages;
+mod platforms;
 
 use claims::Named;
 use std::collections::{BTreeMap, BTreeSet};

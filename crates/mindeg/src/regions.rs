@@ -93,6 +93,7 @@ pub(crate) fn lines_of_map(
 }
 
 /// The edges between triangles of different groups, each once, in ascending order.
+#[cfg(feature = "interior")]
 pub(crate) fn interfaces(triangles: &[[u32; 3]], group: impl Fn(usize) -> usize) -> Vec<[u32; 2]> {
     let mut halves: Vec<([u32; 2], usize)> = triangles
         .iter()
@@ -145,6 +146,7 @@ pub(crate) fn edges([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
     [[a, b], [b, c], [c, a]]
 }
 
+#[cfg(feature = "interior")]
 fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
     [a.min(b), a.max(b)]
 }
