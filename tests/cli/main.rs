@@ -39,6 +39,7 @@ mod pinned;
 mod polygons;
 #[cfg(target_os = "linux")]
 mod progress;
+mod recipe;
 #[cfg(target_os = "linux")]
 mod refused_outputs;
 mod remesh;

@@ -91,6 +91,25 @@ pub(crate) struct Arguments {
         help_heading = "Messages"
     )]
     pub(crate) color: ColorChoice,
+
+    /// With --version: also the commit, the features, the target and the Rust of this build
+    #[arg(long, requires = "version", hide_short_help = true, help_heading = "Messages")]
+    pub(crate) verbose: bool,
+}
+
+impl Command {
+    /// The files of the mesh, for a command that makes one.
+    pub(crate) fn surface(&self) -> Option<&SurfaceArguments> {
+        match self {
+            Self::Mesh(arguments) => Some(&arguments.surface),
+            Self::Improve(arguments) => Some(&arguments.surface),
+            Self::Remesh(arguments) => Some(&arguments.surface),
+            Self::Convert(arguments) => Some(&arguments.surface),
+            Self::Fill(arguments) => Some(&arguments.surface),
+            Self::Bridge(arguments) => Some(&arguments.surface),
+            _ => None,
+        }
+    }
 }
 
 impl Arguments {
@@ -127,6 +146,7 @@ pub(crate) enum Command {
     Formats(FormatsArguments),
     Schema(SchemaArguments),
     Completions(CompletionsArguments),
+    Man(ManArguments),
 }
 
 const FORMATS: &str = "\
@@ -166,6 +186,20 @@ pub(crate) struct CompletionsArguments {
     /// The shell
     #[arg(value_name = "SHELL")]
     pub(crate) shell: Shell,
+}
+
+const MAN: &str = "\
+Examples:
+  mindeg man > ~/.local/share/man/man1/mindeg.1
+  mindeg man mesh | man -l -";
+
+/// Print a page for man, of mindeg or of one of its commands
+#[derive(Debug, Args)]
+#[command(after_help = MAN)]
+pub(crate) struct ManArguments {
+    /// The command; mindeg itself without one
+    #[arg(value_name = "COMMAND")]
+    pub(crate) command: Option<String>,
 }
 
 #[cfg(test)]

@@ -30,7 +30,10 @@ fn end(process: impl FnOnce()) {
     let temporary = SESSION.temporary();
     for path in temporary.iter() {
         // A file renamed or deleted meanwhile no longer exists under this name.
-        let _ = fs::remove_file(path);
+        if fs::remove_file(path).is_err() {
+            // The folder of a mesh that is made anew.
+            let _ = fs::remove_dir_all(path);
+        }
     }
     let (clearing, cleared) = mpsc::channel();
     let cleaner = thread::Builder::new().spawn(move || {

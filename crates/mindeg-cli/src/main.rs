@@ -29,6 +29,7 @@ mod improve;
 mod inspect;
 mod interrupt;
 mod making;
+mod man;
 mod mesh;
 mod named_files;
 #[cfg(not(feature = "explore"))]
@@ -43,10 +44,12 @@ mod terminal;
 mod threads;
 mod tradeoff;
 mod verify;
+mod version;
 mod view;
 
 use args::{Arguments, Command};
 use clap::FromArgMatches;
+use clap::error::ErrorKind;
 use failure::Failure;
 use std::borrow::Cow;
 use std::env;
@@ -83,6 +86,7 @@ fn run(command: &Command) -> Result<(), Failure> {
         Command::Formats(_) => formats::run(),
         Command::Schema(arguments) => schema::run(arguments),
         Command::Completions(arguments) => completions::run(arguments),
+        Command::Man(arguments) => man::run(arguments),
         Command::Inspect(arguments) => shared(|| inspect::run(arguments)),
         Command::Convert(arguments) => shared(|| convert::run(arguments)),
         Command::Condition(arguments) => shared(|| condition::run(arguments)),
@@ -105,6 +109,12 @@ fn run(command: &Command) -> Result<(), Failure> {
 
 /// Prints the help or the version that was asked for, or what is wrong with the arguments.
 fn without_a_run(error: &clap::Error, words: &[OsString]) -> ExitCode {
+    if error.kind() == ErrorKind::DisplayVersion && words.iter().any(|word| word == "--verbose") {
+        return match standard_output::print(&version::verbose()) {
+            Ok(()) => ExitCode::SUCCESS,
+            Err(failure) => failure.report(),
+        };
+    }
     if let Some(message) = slips::guess(error, words) {
         return Failure::Input(message).report();
     }

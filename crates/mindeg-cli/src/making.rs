@@ -10,6 +10,8 @@ use mindeg::{Positions, Progress, TriMesh};
 use mindeg_files::{Format, Input, Targets};
 use mindeg_mesh::{Mesh, Triangles};
 use serde::Serialize;
+use std::env;
+use std::ffi::OsString;
 use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
 
@@ -19,6 +21,8 @@ pub(crate) struct Making {
     bar: Bar,
     quiet: bool,
     json: bool,
+    /// The outputs of a recipe, if one is wanted.
+    recipe: Option<Vec<PathBuf>>,
 }
 
 impl Making {
@@ -35,10 +39,19 @@ impl Making {
                 "standard output can take one mesh, or the summary of --json, not both",
             ));
         }
+        let recipe = surface.recipe.then(|| output.to_vec());
+        if recipe.is_some() {
+            targets.expect_recipe()?;
+            if surface.output != output {
+                return Err(Failure::input(
+                    "--recipe is for files that are named; give -o a name without a pattern or folder",
+                ));
+            }
+        }
         // A bar would be in the way of a mesh on the terminal.
         let to_terminal = targets.use_standard_output() && io::stdout().is_terminal();
         clean_up_on_interrupt()?;
-        Ok(Self { targets, bar: Bar::new(quiet || to_terminal), quiet, json })
+        Ok(Self { targets, bar: Bar::new(quiet || to_terminal), quiet, json, recipe })
     }
 
     /// Reads a mesh that the command takes; its materials will be those of the outputs.
@@ -97,11 +110,22 @@ impl Making {
         self,
         mesh_for: impl Fn(Format) -> &'m dyn Mesh,
     ) -> Result<Made, Failure> {
-        let Self { targets, bar, quiet, json } = self;
+        let Self { mut targets, bar, quiet, json, recipe } = self;
+        if let Some(outputs) = recipe {
+            // All that is read was read.
+            targets.set_recipe(&SESSION.recipe(&arguments_of_recipe(), &outputs)?);
+        }
         let files = targets.files();
         bar.work(|progress| targets.write(mesh_for, progress))?;
         Ok(Made { files, quiet, json })
     }
+}
+
+/// The arguments of this run but for those that reach no byte of a mesh.
+fn arguments_of_recipe() -> Vec<OsString> {
+    let reaches_no_byte =
+        |word: &OsString| ["-q", "--quiet", "--json"].iter().any(|other| word == other);
+    env::args_os().skip(1).filter(|word| !reaches_no_byte(word)).collect()
 }
 
 /// A mesh that was written.

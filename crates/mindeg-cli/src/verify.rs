@@ -1,6 +1,7 @@
 //! `mindeg verify`: whether a mesh is a triangulation of a domain, and how good it is.
 
 mod parts;
+mod reproduce;
 mod surface;
 
 use crate::args::VerifyArguments;
@@ -21,6 +22,9 @@ use std::path::Path;
 
 pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Failure> {
     clean_up_on_interrupt()?;
+    if arguments.reproduce {
+        return reproduce::run(arguments);
+    }
     if let Some(part) = &arguments.surface.surface {
         return surface::run(arguments, part);
     }

@@ -65,7 +65,8 @@ impl<'a> Outputs<'a> {
             FileError::system(message, io::ErrorKind::AlreadyExists)
         };
         self.session.refuse_input(path)?;
-        if path.as_os_str().as_encoded_bytes().ends_with(b"/") {
+        let last = path.as_os_str().as_encoded_bytes().last();
+        if last.is_some_and(|byte| std::path::is_separator(char::from(*byte))) {
             return Err(refused("the name of a folder; name a file in it"));
         }
         if names_descriptor(path) {

@@ -1,10 +1,15 @@
 //! The files that one run has read and is writing.
 
 use crate::error::FileError;
+use crate::recipe::Recipe;
+use std::ffi::OsString;
 use std::fs::{self, Metadata};
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
+
+/// The name of standard input.
+const STANDARD_INPUT: &str = "standard input";
 
 /// The files of one run: those that it has read, which no output may replace, and the temporary files
 /// of outputs that are not complete.
@@ -16,14 +21,15 @@ pub struct Session {
     dashes: &'static str,
 }
 
-/// A regular file that was opened for reading.
+/// A file that was opened for reading.
 #[derive(Debug)]
 struct Noted {
     /// As the user named it.
     name: String,
     /// Its kind in messages: "domain".
     what: &'static str,
-    identity: Identity,
+    /// `None` for what can be read once: a pipe.
+    identity: Option<Identity>,
 }
 
 /// The same for all names of a file: the device, and the file's number on it.
@@ -71,25 +77,42 @@ impl Session {
     pub(crate) fn standard_input(&self, what: &'static str) -> io::Result<Vec<u8>> {
         #[cfg(unix)]
         if let Some(metadata) = stream_metadata(&io::stdin()) {
-            self.note_file("standard input".to_owned(), what, Path::new("-"), &metadata);
+            self.note_file(STANDARD_INPUT.to_owned(), what, Path::new("-"), &metadata);
         }
         #[cfg(not(unix))]
-        let _ = what;
+        self.inputs().push(Noted { name: STANDARD_INPUT.to_owned(), what, identity: None });
         let mut bytes = Vec::new();
         io::stdin().lock().read_to_end(&mut bytes)?;
         Ok(bytes)
     }
 
     fn note_file(&self, name: String, what: &'static str, path: &Path, metadata: &Metadata) {
-        if metadata.is_file()
-            && let Some(identity) = identity(path, metadata)
-        {
-            self.inputs().push(Noted { name, what, identity });
-        }
+        let identity = identity(path, metadata).filter(|_| metadata.is_file());
+        self.inputs().push(Noted { name, what, identity });
     }
 
     fn inputs(&self) -> MutexGuard<'_, Vec<Noted>> {
         self.inputs.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// The recipe of the run: its arguments, the files read so far with their digests as they are now, and the outputs.
+    ///
+    /// # Errors
+    ///
+    /// An input that is no file of its own name, such as standard input; two that differ under one name; words that are
+    /// not UTF-8 text or lead to another folder than a file of theirs.
+    pub fn recipe(&self, arguments: &[OsString], outputs: &[PathBuf]) -> Result<Recipe, FileError> {
+        let inputs = self.inputs();
+        if let Some(once) =
+            inputs.iter().find(|input| input.identity.is_none() || input.name == STANDARD_INPUT)
+        {
+            return Err(FileError::wrong(format!(
+                "a recipe names the files that a mesh is made from, and {} is none; give the path of a file",
+                once.name
+            )));
+        }
+        let inputs: Vec<PathBuf> = inputs.iter().map(|input| PathBuf::from(&input.name)).collect();
+        Recipe::new(arguments, &inputs, outputs)
     }
 
     /// Fails if `path` is a file that was read.
@@ -117,7 +140,8 @@ impl Session {
     fn refuse(&self, name: &str, path: &Path, metadata: &Metadata) -> Result<(), FileError> {
         let Some(identity) = identity(path, metadata) else { return Ok(()) };
         let inputs = self.inputs();
-        let Some(input) = inputs.iter().find(|input| input.identity == identity) else {
+        let Some(input) = inputs.iter().find(|input| input.identity == Some(identity.clone()))
+        else {
             return Ok(());
         };
         let what = input.what;

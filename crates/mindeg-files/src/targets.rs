@@ -3,9 +3,10 @@
 use crate::error::{FileError, extension};
 use crate::foreign;
 use crate::outputs::{Outputs, cannot_write, is_standard_output};
+use crate::recipe::Recipe;
 use crate::session::Session;
 use mindeg_formats::{Format, WriteError, WriteOptions, Writer, extensions};
-use mindeg_mesh::{Mesh, Positions, Progress};
+use mindeg_mesh::{MadeBy, Mesh, Positions, Progress};
 use mindeg_outlines::OutlineFormat;
 use std::fs;
 use std::io::{ErrorKind, Write};
@@ -17,6 +18,7 @@ pub struct Targets<'a> {
     targets: Vec<Target>,
     options: WriteOptions,
     outputs: Outputs<'a>,
+    recipe: Option<String>,
 }
 
 /// An output.
@@ -64,7 +66,7 @@ impl<'a> Targets<'a> {
         if targets.iter().filter(|target| target.is_standard_output()).count() > 1 {
             return Err(FileError::wrong("standard output can take one mesh"));
         }
-        Ok(Self { session, targets, options, outputs: Outputs::new(session) })
+        Ok(Self { session, targets, options, outputs: Outputs::new(session), recipe: None })
     }
 
     /// The mesh will have materials: formats with a library of materials beside them get that file,
@@ -81,6 +83,28 @@ impl<'a> Targets<'a> {
             target.refuse_unnameable()?;
         }
         Ok(())
+    }
+
+    /// Refuses outputs that have no place for a [recipe](Self::set_recipe).
+    ///
+    /// # Errors
+    ///
+    /// The output, and what to do.
+    pub fn expect_recipe(&self) -> Result<(), FileError> {
+        match self.targets.iter().find(|target| !target.format.has_remarks()) {
+            Some(target) => Err(FileError::wrong(format!(
+                "{}: a .{} has no place for a recipe; write another format, or leave out {}",
+                target.path.display(),
+                target.format.extension(),
+                self.session.option("recipe")
+            ))),
+            None => Ok(()),
+        }
+    }
+
+    /// The files will say how they were made.
+    pub fn set_recipe(&mut self, recipe: &Recipe) {
+        self.recipe = Some(recipe.to_string());
     }
 
     /// Whether one of them goes where this process prints.
@@ -161,7 +185,11 @@ impl<'a> Targets<'a> {
         let mut taken = Ok(());
         for target in self.targets {
             let mesh = mesh_for(target.format);
-            match target.write(mesh, progress) {
+            let written = match &self.recipe {
+                Some(made_by) => target.write(&MadeBy { mesh, made_by }, progress),
+                None => target.write(mesh, progress),
+            };
+            match written {
                 // Nobody reads on, and the other outputs are not for that reader.
                 Err(error) if error.kind() == Some(ErrorKind::BrokenPipe) => taken = Err(error),
                 written => written?,

@@ -24,6 +24,8 @@ pub(crate) struct Facts {
     pub(crate) library: Option<&'static str>,
     /// Whether solvers, which need to know the boundary, read the format.
     pub(crate) has_boundary: bool,
+    /// Whether a file has a place for how its mesh was made.
+    pub(crate) has_remarks: bool,
     /// Whether a file begins as this format alone does. Blanks at its start are left out.
     pub(crate) begins: fn(&[u8]) -> bool,
     /// First words that tell the format, in the first line that is not a comment.
@@ -58,6 +60,7 @@ impl Facts {
         files: &[],
         library: None,
         has_boundary: false,
+        has_remarks: true,
         begins: |_| false,
         first_words: &[],
         fits: |_| false,

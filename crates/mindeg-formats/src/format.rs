@@ -130,6 +130,12 @@ impl Format {
         self.facts().in_plane
     }
 
+    /// Whether a file has a place for [how its mesh was made](mindeg_mesh::Triangles::made_by).
+    #[must_use]
+    pub fn has_remarks(self) -> bool {
+        self.facts().has_remarks
+    }
+
     /// The format that the extension of a file name asks for, in upper or lower case.
     ///
     /// # Example

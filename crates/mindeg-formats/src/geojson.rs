@@ -34,7 +34,9 @@ const TRIANGLE_LEN: u32 = 150;
 /// The file from front to back.
 fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
     let name = string(mesh_name(mesh));
-    let head = format!("{{\"type\":\"FeatureCollection\",\"name\":{name},\"features\":[\n");
+    let made_by = mesh.made_by().map(|how| format!("\"made_by\":\"{how}\",")).unwrap_or_default();
+    let head =
+        format!("{{\"type\":\"FeatureCollection\",\"name\":{name},{made_by}\"features\":[\n");
     let mut sections = vec![Section::bytes(head), polygons(mesh)];
     let chains = MarkedChains::of(mesh);
     for chain in chains.chains {

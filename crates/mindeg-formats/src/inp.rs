@@ -14,7 +14,7 @@ use crate::decimals::Decimals;
 use crate::facts::Facts;
 use crate::names::{Names, one_line};
 use crate::sections::Section;
-use crate::{GENERATOR, mesh_name};
+use crate::{made_by, mesh_name};
 
 /// The most numbers in a line.
 const WIDTH: u32 = 16;
@@ -36,7 +36,7 @@ pub(crate) const FACTS: Facts = Facts {
 fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
     let name = mesh_name(mesh);
     let mut sections = vec![
-        Section::bytes(format!("*HEADING\n{}\n** {GENERATOR}\n*NODE\n", heading(name))),
+        Section::bytes(format!("*HEADING\n{}\n** {}\n*NODE\n", heading(name), made_by(mesh))),
         Section::new(mesh.vertex_count(), 52, move |range, buffer| {
             let mut axes = [0; 3].map(|_| Decimals::new());
             for (vertex, point) in range.clone().zip(positions(mesh, range)) {

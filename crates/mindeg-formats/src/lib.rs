@@ -86,6 +86,11 @@ pub use write::{Writer, write};
 /// The program and its version, as files name their maker.
 const GENERATOR: &str = concat!("mindeg ", env!("CARGO_PKG_VERSION"));
 
+/// How a mesh was made, as files say it.
+fn made_by(mesh: &dyn mindeg_mesh::Mesh) -> &str {
+    mesh.made_by().unwrap_or(GENERATOR)
+}
+
 /// The name of a mesh in a file: its own, or that of its groups if they are one object.
 fn mesh_name(mesh: &dyn mindeg_mesh::Mesh) -> &str {
     let groups = mesh.groups();

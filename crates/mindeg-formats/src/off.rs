@@ -10,7 +10,7 @@ use crate::lists::push;
 use crate::numbers::Numbers;
 use crate::records::Records;
 use crate::sections::Section;
-use crate::{GENERATOR, MeshPlane};
+use crate::{MeshPlane, made_by};
 use mindeg_mesh::{Mesh, NonTriangles, TriMesh};
 use std::io::BufRead;
 
@@ -30,7 +30,7 @@ fn sections(mesh: &dyn Mesh, plane: MeshPlane) -> Vec<Section<'_>> {
     let points = move |range| positions(mesh, range).map(move |p| plane.place(p).to_array());
     let corners = |range| triangles(mesh, range).into_iter().map(|corners| ([3], corners));
     vec![
-        Section::bytes(format!("OFF\n# {GENERATOR}\n{vertices} {faces} 0\n")),
+        Section::bytes(format!("OFF\n# {}\n{vertices} {faces} 0\n", made_by(mesh))),
         Numbers::Text.records(0..vertices, points),
         Numbers::Text.records(0..faces, corners),
     ]

@@ -27,6 +27,8 @@ pub(crate) const FACTS: Facts = Facts {
     extensions: &["slf"],
     files: &["slf", "cli"],
     has_boundary: true,
+    // 80 bytes are too few.
+    has_remarks: false,
     begins,
     read: Some(|source| read(source.input)),
     max_vertices: MAX_VERTICES,

@@ -14,7 +14,7 @@ use crate::numbered::Numbered;
 use crate::records::{Records, Words};
 use crate::sections::Section;
 use crate::tables::{NamedRuns, corners_from_one, numbered_lines};
-use crate::{GENERATOR, ReadError, mesh_name};
+use crate::{ReadError, made_by, mesh_name};
 use mindeg_mesh::{Mesh, TriMesh};
 use std::io::BufRead;
 use std::ops::Range;
@@ -42,7 +42,7 @@ fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
         corners_from_one(mesh, range).zip(materials)
     };
     let points = |range| positions(mesh, range).map(|point| point.to_array());
-    let head = format!("MESH2D\n# {GENERATOR}\nMESHNAME \"{name}\"\n");
+    let head = format!("MESH2D\n# {}\nMESHNAME \"{name}\"\n", made_by(mesh));
     let mut sections = vec![
         Section::bytes(head),
         numbered_lines("E3T", 0..mesh.triangle_count(), elements),

@@ -18,6 +18,8 @@ pub(crate) const FACTS: Facts = Facts {
     name: "stl",
     description: "stereolithography STL",
     extensions: &["stl"],
+    // 80 bytes are too few.
+    has_remarks: false,
     // A binary STL must not begin so, though some do: the reader looks at its length.
     first_words: &["solid"],
     fits: has_binary_length,

@@ -9,9 +9,9 @@ use std::ops::Range;
 
 use mindeg_mesh::{ByName, Mesh};
 
-use crate::GENERATOR;
 use crate::corners::{positions, segments, triangles};
 use crate::facts::Facts;
+use crate::made_by;
 use crate::names::{Names, word};
 use crate::numbers::Numbers;
 use crate::sections::Section;
@@ -43,7 +43,7 @@ fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
         points.map(|(index, point)| ([point.x, point.y], [index]))
     };
     let mut sections = vec![
-        Section::bytes(format!("% {GENERATOR}\nNDIME= 2\nNELEM= {count}\n")),
+        Section::bytes(format!("% {}\nNDIME= 2\nNELEM= {count}\n", made_by(mesh))),
         Numbers::Text.records(0..count, elements),
         Section::bytes(format!("NPOIN= {vertices}\n")),
         Numbers::Text.records(0..vertices, points),

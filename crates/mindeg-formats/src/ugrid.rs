@@ -15,7 +15,7 @@ use crate::names::{one_line, word};
 use crate::numbers::Numbers;
 use crate::sections::Section;
 use crate::tables::NamedRuns;
-use crate::{GENERATOR, WriteError, mesh_name};
+use crate::{WriteError, made_by, mesh_name};
 
 /// The most bytes of a variable.
 const MAX_BYTES: u32 = u32::MAX - 3;
@@ -196,7 +196,7 @@ fn header(
     let of_file = [
         ("Conventions", text("CF-1.8 UGRID-1.0")),
         ("title", Value::Text(one_line(mesh_name(mesh)))),
-        ("source", text(GENERATOR)),
+        ("source", text(made_by(mesh))),
     ];
     put_attributes(&mut bytes, &of_file);
     put(&mut bytes, &[VARIABLES, variables.len() as u32]);

@@ -23,6 +23,8 @@ pub(crate) const FACTS: Facts = Facts {
     name: "vtk",
     description: "legacy VTK",
     extensions: &["vtk"],
+    // The title is the name of the mesh.
+    has_remarks: false,
     begins: |text| text.starts_with(b"# vtk DataFile"),
     read: Some(|source| read(source.input)),
     max_vertices: SIGNED,

@@ -79,6 +79,12 @@ pub trait Triangles: Sync {
         None
     }
 
+    /// How the mesh was made, for files that have a place for remarks: one line of ASCII without `"`, `&`, `<`, `>`
+    /// and `\\`. `None` for the name of the program alone.
+    fn made_by(&self) -> Option<&str> {
+        None
+    }
+
     /// The named groups, which contain every triangle once, in order; empty if the mesh has none.
     fn groups(&self) -> &[Group] {
         &[]

@@ -43,6 +43,11 @@ pub(crate) struct SurfaceArguments {
     #[arg(long)]
     pub(crate) boundary_lines: bool,
 
+    /// Say in each file how it was made: the command, the version and the digest of each input, in which files have no
+    /// folders. Then mindeg verify --reproduce makes it anew and compares the bytes
+    #[arg(long)]
+    pub(crate) recipe: bool,
+
     /// Lay the mesh on the floor, the XZ plane facing +Y, instead of upright in XY (OBJ, glTF)
     #[arg(long)]
     pub(crate) floor: bool,

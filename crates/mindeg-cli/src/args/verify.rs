@@ -67,12 +67,20 @@ pub(crate) struct VerifyArguments {
     #[arg(long, value_name = "FILE")]
     pub(crate) proof: Option<PathBuf>,
 
+    /// Make the file anew from its recipe (mindeg mesh --recipe), and fail unless all bytes are the same. Its inputs lie
+    /// beside it or in the current folder
+    #[arg(long, conflicts_with_all = [
+        "domain", "surface", "rectangle", "corners", "intervals", "size", "spacing", "keep_angle", "optimal", "proof", "tolerance"
+    ])]
+    pub(crate) reproduce: bool,
+
     /// Print JSON: file, domain, valid, defect, plane, reversed, tolerance, farthest, boundary_vertices,
     /// given_points, interior_points, unreferenced_vertices, triangles, max_degree, max_degree_vertex, out_of_range,
     /// certified, optimal, proof, reason, smaller_degree, min_angle, max_angle, min_angle_triangle, angle_limit, share_of_limit,
     /// failed, passed; for several domains file, valid, parts, failed, passed; with --surface file, part, valid, defects,
     /// vertices, triangles, degrees, boundary_degrees, out_of_range, proven (vertex, degree, allowed, sectors), min_angle,
-    /// min_angle_triangle, tolerance, diagonal, to_part, from_part, boundary_to_part, boundary_from_part, features_from_part, crossings, part_crossings, failed, passed
+    /// min_angle_triangle, tolerance, diagonal, to_part, from_part, boundary_to_part, boundary_from_part, features_from_part, crossings, part_crossings, failed, passed;
+    /// with --reproduce file, version, command, inputs, differs_at, passed
     #[arg(long)]
     pub(crate) json: bool,
 

@@ -6,7 +6,7 @@ use crate::names::one_line;
 use crate::numbers::Numbers;
 use crate::sections::Section;
 use crate::tables::{corners_from_one, from_one, numbered_lines};
-use crate::{GENERATOR, mesh_name};
+use crate::{made_by, mesh_name};
 use mindeg_mesh::{LineKind, Mesh, filled};
 use std::ops::Range;
 
@@ -14,8 +14,10 @@ use std::ops::Range;
 pub(crate) fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
     let name = one_line(mesh_name(mesh));
     let (elements, nodes) = (mesh.triangle_count(), mesh.vertex_count());
-    let head =
-        format!("{name}\n {elements} {nodes} = number of elements and of nodes, by {GENERATOR}\n");
+    let head = format!(
+        "{name}\n {elements} {nodes} = number of elements and of nodes, by {}\n",
+        made_by(mesh)
+    );
     let corners = |range| corners_from_one(mesh, range).map(|corners| ([3], corners));
     let mut sections = vec![
         Section::bytes(head),

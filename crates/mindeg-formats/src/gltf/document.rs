@@ -3,7 +3,7 @@
 use super::positions::Stored;
 use crate::materials::{Materials, is_same_object};
 use crate::names::Names;
-use crate::{GENERATOR, SurfaceOptions, mesh_name};
+use crate::{SurfaceOptions, made_by, mesh_name};
 use glam::{DVec3, Vec3};
 use gltf_json::accessor::{ComponentType, GenericComponentType, Type};
 use gltf_json::buffer::{Target, View};
@@ -11,7 +11,7 @@ use gltf_json::material::{AlphaMode, PbrBaseColorFactor, PbrMetallicRoughness, S
 use gltf_json::mesh::{Mode, Primitive, Semantic};
 use gltf_json::validation::Checked::{self, Valid};
 use gltf_json::validation::USize64;
-use gltf_json::{Accessor, Asset, Buffer, Index, Material, Node, Root, Scene, Value};
+use gltf_json::{Accessor, Buffer, Index, Material, Node, Root, Scene, Value};
 use mindeg_mesh::{Bounds, ByName, Group, Mesh};
 use std::collections::BTreeMap;
 
@@ -115,6 +115,7 @@ pub(super) fn document(
         children.extend(document.lines(mesh, attributes, indices));
     }
     surface.children = (!children.is_empty()).then_some(children);
+    document.root.asset.generator = Some(made_by(mesh).to_owned());
     document.finish(surface, uri)
 }
 
@@ -297,7 +298,6 @@ impl Document {
             extensions: None,
             extras: None,
         });
-        self.root.asset = Asset { generator: Some(GENERATOR.to_owned()), ..Default::default() };
         self.root
     }
 }

@@ -35,6 +35,9 @@ pub(crate) fn sections<'a>(mesh: &'a dyn Mesh, options: &WriteOptions) -> Vec<Se
     let names: String = names.collect();
     head.extend_from_slice(b"$EndMeshFormat\n");
     head.extend(format!("$PhysicalNames\n{count}\n{names}$EndPhysicalNames\n").into_bytes());
+    if let Some(made_by) = mesh.made_by() {
+        head.extend(format!("$Comments\n{made_by}\n$EndComments\n").into_bytes());
+    }
     let mut sections = vec![Section::bytes(head)];
     match options.msh_version {
         MshVersion::V4 => write4::add_sections(mesh, &entities, numbers, &mut sections),

@@ -64,6 +64,11 @@ pub(super) fn write(mesh: &dyn Mesh, fields: bool, out: impl Write + Send) -> io
             text_array("point_names.npy", &names),
         ]);
     }
+    if let Some(made_by) = mesh.made_by() {
+        // Bytes, so that they can be read in the file.
+        let head = head(&format!("|S{}", made_by.len()), 1, None);
+        arrays.push(("made_by.npy", head, Section::bytes(made_by)));
+    }
     if fields {
         let degrees = |range| degrees(mesh, range).into_iter().map(|degree| [degree]);
         let degrees = numbers.records(0..vertices, degrees);

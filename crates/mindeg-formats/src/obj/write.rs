@@ -8,7 +8,7 @@ use crate::names::{Names, word};
 use crate::numbers::Numbers;
 use crate::options::in_box;
 use crate::sections::{Section, write_sections};
-use crate::{GENERATOR, SurfaceOptions, degree_color, mesh_name};
+use crate::{SurfaceOptions, degree_color, made_by, mesh_name};
 use glam::Vec3;
 use mindeg_mesh::{ByName, Mesh, vertex_normals};
 use std::io::{self, Write};
@@ -122,7 +122,8 @@ fn faces(mesh: &dyn Mesh, triangles: Range<u32>, texture: bool, normals: bool) -
 
 fn header<'a>(mesh: &dyn Mesh, mtllib: &str, surface: &str) -> Section<'a> {
     Section::bytes(format!(
-        "# {GENERATOR}\n# {} vertices, {} triangles, maximum degree {}\n{mtllib}{surface}",
+        "# {}\n# {} vertices, {} triangles, maximum degree {}\n{mtllib}{surface}",
+        made_by(mesh),
         mesh.vertex_count(),
         mesh.triangle_count(),
         mesh.max_degree(),

@@ -3,7 +3,7 @@
 use crate::corners::{positions, triangles};
 use crate::numbers::Numbers;
 use crate::sections::Section;
-use crate::{GENERATOR, WriteOptions, degree_color};
+use crate::{WriteOptions, degree_color, made_by};
 use glam::{DVec3, Vec3};
 use mindeg_mesh::Mesh;
 use std::ops::Range;
@@ -21,9 +21,10 @@ fn header<'a>(mesh: &dyn Mesh, options: &WriteOptions) -> Section<'a> {
         properties += &["red", "green", "blue"].map(|c| format!("property uchar {c}\n")).concat();
     }
     Section::bytes(format!(
-        "ply\nformat binary_little_endian 1.0\ncomment {GENERATOR}\n\
+        "ply\nformat binary_little_endian 1.0\ncomment {}\n\
          element vertex {}\n{properties}\
          element face {}\nproperty list uchar int vertex_indices\nend_header\n",
+        made_by(mesh),
         mesh.vertex_count(),
         mesh.triangle_count(),
     ))

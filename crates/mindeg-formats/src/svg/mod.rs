@@ -27,7 +27,7 @@ use self::style::{SIDE_MARGIN, WIDTH, hex};
 use self::view::View;
 use crate::facts::Facts;
 use crate::names::xml;
-use crate::{GENERATOR, WriteError, degree_color, mesh_name};
+use crate::{WriteError, degree_color, made_by, mesh_name};
 use glam::DVec2;
 use mindeg_mesh::{Bounds, Mesh};
 use std::fmt::Write as _;
@@ -184,12 +184,13 @@ fn head(mesh: &dyn Mesh, frame: &Frame) -> String {
         r#"<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH}" height="{height:.0}" viewBox="0 0 {WIDTH} {height:.0}" role="img" aria-labelledby="title summary">
 <title id="title">{name}</title>
 <desc id="summary">{summary}</desc>
-<metadata>{GENERATOR}</metadata>
+<metadata>{}</metadata>
 <style>{STYLE}</style>
 <rect class="card" x="0.5" y="0.5" width="{}" height="{inner:.0}" rx="12"/>
 <text class="title" x="{SIDE_MARGIN}" y="46">{name}</text>
 <text class="muted" x="{SIDE_MARGIN}" y="70">{summary}</text>
 "#,
+        made_by(mesh),
         WIDTH - 1.0,
     )
 }

@@ -1,8 +1,8 @@
 //! Writing .node, .ele and .poly.
 
-use crate::GENERATOR;
 use crate::boundary::{MarkedChain, MarkedChains};
 use crate::corners::{positions, segments};
+use crate::made_by;
 use crate::names::one_line;
 use crate::numbers::Numbers;
 use crate::sections::Section;
@@ -47,7 +47,7 @@ fn node<'a>(
     markers: Arc<[i64]>,
     points: BTreeMap<u32, i64>,
 ) -> Vec<Section<'a>> {
-    let head = format!("# {GENERATOR}\n{} 2 0 1\n", mesh.vertex_count());
+    let head = format!("# {}\n{} 2 0 1\n", made_by(mesh), mesh.vertex_count());
     let rows = move |range: Range<u32>| {
         let marker = |vertex| {
             let of_line = || boundary.name_of(vertex).map(|name| markers[name as usize]);
@@ -70,7 +70,7 @@ fn ele(mesh: &dyn Mesh) -> Vec<Section<'_>> {
             groups.of(range.clone()).map(|group| own(group).map(|it| [*it])).collect();
         corners_from_one(mesh, range).zip(own)
     };
-    let head = format!("# {GENERATOR}\n{count} 3 {columns}\n");
+    let head = format!("# {}\n{count} 3 {columns}\n", made_by(mesh));
     vec![Section::bytes(head), numbered_lines(" ", 0..count, rows)]
 }
 
@@ -80,7 +80,7 @@ fn poly<'a>(
     names: &[String],
     markers: &[i64],
 ) -> Vec<Section<'a>> {
-    let mut head = format!("# {GENERATOR}\n");
+    let mut head = format!("# {}\n", made_by(mesh));
     for (name, marker) in names.iter().zip(markers) {
         let plain = format!("{MARKER} {marker}");
         if *name != plain {

@@ -6,7 +6,7 @@ use crate::grid::{Arrays, Field, text_of_names};
 use crate::numbers::Numbers;
 use crate::sections::Section;
 use crate::tables::NamedRuns;
-use crate::{Encoding, GENERATOR, WriteOptions};
+use crate::{Encoding, WriteOptions, made_by};
 
 /// The file from front to back.
 pub(crate) fn sections<'a>(mesh: &'a dyn Mesh, options: &WriteOptions) -> Vec<Section<'a>> {
@@ -16,8 +16,10 @@ pub(crate) fn sections<'a>(mesh: &'a dyn Mesh, options: &WriteOptions) -> Vec<Se
     let (points, cells) = (mesh.vertex_count(), arrays.cell_count());
     let mut file = File { is_binary, ..File::default() };
 
+    // Two hyphens would end the remark.
+    let made_by = made_by(mesh).replace("--", "%2D%2D");
     file.text(&format!(
-        "<?xml version=\"1.0\"?>\n<!-- {GENERATOR} -->\n<VTKFile type=\"UnstructuredGrid\" \
+        "<?xml version=\"1.0\"?>\n<!-- {made_by} -->\n<VTKFile type=\"UnstructuredGrid\" \
          version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n"
     ));
     if options.fields {
