@@ -3,6 +3,8 @@
 import json
 import re
 import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -78,3 +80,18 @@ def gmsh_boundary(path):
         gmsh.write(str(path))
     finally:
         gmsh.finalize()
+
+
+def test_the_import_takes_numpy_alone():
+    """What an import loads is what it takes: `import mindeg` stays below 100 ms."""
+    script = (
+        "import sys, numpy\n"
+        "before = set(sys.modules)\n"
+        "import mindeg\n"
+        "print(*sorted({name.split('.')[0] for name in set(sys.modules) - before}))"
+    )
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    loaded = set(done.stdout.split())
+    # Parts of numpy that numpy itself loads late.
+    assert loaded <= {"mindeg", "numpy", *sys.stdlib_module_names}, loaded
+    assert not loaded & {"concurrent", "multiprocessing", "urllib", "asyncio"}, loaded
