@@ -1,4 +1,4 @@
-"""mindeg beside Triangle and Gmsh on the states of the USA as one map: the table of docs/maps.md.
+"""mindeg beside Triangle and Gmsh on the states of the USA as one map: the table of benches/results/maps.md.
 
 Every program gets the polygons of us-atlas with each border once, and may add no point to a border. Triangle and Gmsh get the
 planar graph by their own interfaces; mindeg gets the file as npm ships it.
@@ -139,7 +139,7 @@ def main():
 {len(states.polygons)} polygons, {len(states.points):,} points; packages {packages}. Border vertices are those between states alone.
 """
     print(text)
-    write_section("states", text, page="docs/maps.md")
+    write_section("states", text, page="benches/results/maps.md")
 
 
 if __name__ == "__main__":
