@@ -80,14 +80,15 @@ fn a_closed_pipe_ends_quietly() {
 }
 
 #[test]
-fn a_domain_is_told_what_one_degree_more_brings() {
+fn a_domain_is_told_which_mesh_to_take() {
     let channel = "../../assets/domains/boundary-layer-channel.json";
     let run = mindeg(["degree", channel]);
     assert_eq!(run.code, Some(0), "{}", run.errors);
     let text = String::from_utf8_lossy(&run.output).into_owned();
     for words in [
-        "hint: degree 4 has a minimum angle of 0.125°, degree 5 of 2.010°:",
-        "boundary-layer-channel.json --max-degree 5 -o mesh.obj",
+        "hint: for a patch that must keep its points, take degree 5: minimum angle 2.010°, 97% of",
+        "boundary-layer-channel.json --keep-angle 95% -o mesh.obj",
+        "boundary-layer-channel.json --interior -o mesh.obj",
     ] {
         assert!(text.contains(words), "{words:?} is missing in {text}");
     }

@@ -57,16 +57,16 @@ fn the_page_is_complete_and_says_what_made_it() {
     assert!(page.contains("default-src 'none'"), "a policy that forbids requests");
     assert!(!page.contains("http://") && !page.contains("https://"), "nothing from elsewhere");
     assert!(page.contains("<code>mindeg view -o - --rectangle 4x3 --size 0.5</code>"));
-    assert!(!page.contains("Thinned out") && !page.contains("in space. The picture"));
+    assert!(!page.contains("Thinned out") && !page.contains("class SpaceStage"));
 }
 
 #[test]
-fn a_mesh_in_space_is_projected_and_the_page_says_so() {
+fn a_mesh_in_space_is_turned() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("upright.obj");
     fs::write(&path, UPRIGHT).expect("a file");
     let page = page(&[text(&path)]);
-    assert!(page.contains("projection along the y axis, with x to the right and z up"), "{page}");
+    assert!(page.contains("Drag to turn") && page.contains("class SpaceStage"), "{page}");
     assert_eq!(figure(&page, "Minimum angle"), "45.0°");
 }
 

@@ -1,25 +1,347 @@
-//! The advised mesh, and the command that makes it.
+//! The mesh to take, by what it is for: the one advice that the terminal, the reports and the page of
+//! `explore` give.
 //!
-//! The rule is that of `mindeg mesh --keep-angle 95%`: the smallest degree whose best mesh keeps
-//! [`KEPT`] of Delaunay's minimum angle.
+//! Limits: the advice compares minimum angles and degrees alone.
 
-/// The share of Delaunay's minimum angle that the advised mesh keeps, at least.
+use crate::numbers::{percent, steady_angle};
+use mindeg::exact::share_of;
+use mindeg::interior::{self, InteriorMesh, InteriorReport};
+use mindeg::{Domain, Goal, MeshError, Meshed, Progress, mesh};
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::str::FromStr;
+
+/// The share of Delaunay's minimum angle that a patch keeps, at least.
 pub const KEPT: f64 = 0.95;
 
-/// The command that makes a mesh as advised from `input`, ready for a POSIX shell.
+/// On domains with more vertices, who is asked for something else gives the advice without figures: they take three
+/// meshes.
+pub const MOST_VERTICES: u32 = 1000;
+
+/// Points inside that bring less than so many times the angle bring too little.
+const WORTH: f64 = 1.05;
+
+/// What a mesh is for.
 ///
 /// ```
+/// use mindeg_answers::advice::Purpose;
+///
+/// assert_eq!("solver".parse(), Ok(Purpose::Solver));
+/// assert_eq!(Purpose::Solver.options(), ["--interior"]);
+/// assert!("game".parse::<Purpose>().is_err());
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Purpose {
+    /// Points inside, for large angles.
+    Solver,
+    /// A first mesh that must keep its points: the least degree that keeps [`KEPT`] of the angle.
+    Patch,
+    /// The fewest edges at a vertex.
+    Fewest,
+}
+
+impl Purpose {
+    /// All of them, the one that most users have first.
+    pub const ALL: [Self; 3] = [Self::Solver, Self::Patch, Self::Fewest];
+
+    /// The word for it.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Solver => "solver",
+            Self::Patch => "patch",
+            Self::Fewest => "fewest",
+        }
+    }
+
+    /// The mesh for it, in a few words.
+    #[must_use]
+    pub fn help(self) -> &'static str {
+        match self {
+            Self::Solver => "points inside, for large angles",
+            Self::Patch => {
+                "the boundary points alone, the fewest edges at a vertex that keep 95% of the angle"
+            }
+            Self::Fewest => "the fewest edges at a vertex, however small the angles",
+        }
+    }
+
+    /// The options of `mindeg mesh` that make the mesh for it.
+    #[must_use]
+    pub fn options(self) -> &'static [&'static str] {
+        match self {
+            Self::Solver => &["--interior"],
+            Self::Patch => &["--keep-angle", "95%"],
+            Self::Fewest => &[],
+        }
+    }
+
+    /// The goal of a mesh of boundary points alone; `None` where points are inside.
+    #[must_use]
+    pub fn goal(self) -> Option<Goal> {
+        match self {
+            Self::Solver => None,
+            Self::Patch => Some(Goal::KeepAngle(KEPT)),
+            Self::Fewest => Some(Goal::LeastDegree),
+        }
+    }
+}
+
+impl FromStr for Purpose {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let found = Self::ALL.into_iter().find(|purpose| purpose.name() == text);
+        found.ok_or_else(|| "give solver, patch or fewest".to_owned())
+    }
+}
+
+/// The meshes to choose from, and the one to take unless told what it is for.
+///
+/// # Example
+///
+/// ```
+/// use mindeg::{Domain, Progress, Side};
+/// use mindeg_answers::advice::{Advice, Purpose};
+///
+/// let domain = Domain::rectangle(4.0, 3.0, [12, 9, 4, 4].map(Side::count).into())?;
+/// let advice = Advice::of(&domain, Progress::NONE)?;
+/// assert_eq!(advice.first, Purpose::Solver);
+/// assert_eq!(advice.patch.unwrap().max_degree, 6);
+/// assert!(advice.sentence(Purpose::Patch).starts_with("For a patch that must keep its points, take degree 6:"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Advice {
+    /// The mesh to take unless told what it is for: `solver`, or `patch` where points inside bring no larger angle.
+    pub first: Purpose,
+    /// With points inside; null if it was not made.
+    pub solver: Option<AdvisedMesh>,
+    /// Of boundary points alone, with 95% of the largest minimum angle that they allow; null if it was not made.
+    pub patch: Option<AdvisedMesh>,
+    /// Of the least maximum degree; null if it was not made.
+    pub fewest: Option<AdvisedMesh>,
+}
+
+/// The figures of a mesh to take.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct AdvisedMesh {
+    /// The most edges at a vertex.
+    pub max_degree: u32,
+    /// The minimum angle in degrees.
+    pub min_angle: f64,
+    /// The minimum angle over Delaunay's, the largest of any mesh without points inside; null where that is not known.
+    pub share_of_delaunay: Option<f64>,
+}
+
+impl AdvisedMesh {
+    /// The figures of a mesh of boundary points.
+    #[must_use]
+    pub fn of(meshed: &Meshed) -> Self {
+        let min_angle = meshed.mesh.angle_range().min;
+        Self {
+            max_degree: meshed.mesh.max_total_degree(),
+            min_angle,
+            share_of_delaunay: meshed.delaunay_min_angle.map(|most| share_of(min_angle, most)),
+        }
+    }
+
+    /// The figures of a mesh with points inside.
+    #[must_use]
+    pub fn of_interior(report: &InteriorReport) -> Self {
+        let inside = report.interior_degree.as_ref().map_or(0, |range| *range.end());
+        Self {
+            max_degree: inside.max(*report.boundary_degree.end()),
+            min_angle: report.min_angle,
+            share_of_delaunay: None,
+        }
+    }
+}
+
+impl Advice {
+    /// The advice without figures.
+    pub const UNMEASURED: Self =
+        Self { first: Purpose::Solver, solver: None, patch: None, fewest: None };
+
+    /// The advice on a domain, for which three meshes are made.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`mesh`] for the mesh of least degree. Others that cannot be made are left out.
+    pub fn of(domain: &Domain, progress: Progress<'_>) -> Result<Self, MeshError> {
+        let fewest = mesh(domain, Goal::LeastDegree, progress)?;
+        Ok(Self::beside(domain, &fewest, progress))
+    }
+
+    /// The same for a domain whose mesh of least degree is there.
+    #[must_use]
+    pub fn beside(domain: &Domain, fewest: &Meshed, progress: Progress<'_>) -> Self {
+        Self::with_mesh(domain, fewest, progress).0
+    }
+
+    /// The same, and the mesh with points inside, if there is one.
+    #[must_use]
+    pub fn with_mesh(
+        domain: &Domain,
+        fewest: &Meshed,
+        progress: Progress<'_>,
+    ) -> (Self, Option<InteriorMesh>) {
+        let patch = mesh(domain, Goal::KeepAngle(KEPT), progress).ok();
+        let wanted = domain.interior().cloned().unwrap_or_default();
+        let solver = interior::mesh(domain, &wanted, progress).ok();
+        let advice = Self::among(
+            solver.as_ref().map(|found| AdvisedMesh::of_interior(&found.report)),
+            patch.as_ref().map(AdvisedMesh::of),
+            Some(AdvisedMesh::of(fewest)),
+        );
+        (advice, solver)
+    }
+
+    /// The same, with figures where they take little time: on domains of at most [`MOST_VERTICES`].
+    #[must_use]
+    pub fn if_small(domain: &Domain, fewest: &Meshed, progress: Progress<'_>) -> Self {
+        if is_small(domain) { Self::beside(domain, fewest, progress) } else { Self::UNMEASURED }
+    }
+
+    /// The advice where meshes were made already: with points inside, that keeps its points, and of least degree.
+    #[must_use]
+    pub fn among(
+        solver: Option<AdvisedMesh>,
+        patch: Option<AdvisedMesh>,
+        fewest: Option<AdvisedMesh>,
+    ) -> Self {
+        let brings_little = |patch: AdvisedMesh| {
+            solver.is_none_or(|solver| solver.min_angle < WORTH * patch.min_angle)
+        };
+        let first = if patch.is_some_and(brings_little) { Purpose::Patch } else { Purpose::Solver };
+        let largest = patch.and_then(|patch| Some(patch.min_angle / patch.share_of_delaunay?));
+        let shared = |mesh: AdvisedMesh| AdvisedMesh {
+            share_of_delaunay: largest.map(|most| share_of(mesh.min_angle, most)),
+            ..mesh
+        };
+        Self { first, solver: solver.map(shared), patch, fewest: fewest.map(shared) }
+    }
+
+    /// The figures of the mesh for a purpose.
+    #[must_use]
+    pub fn mesh_for(&self, purpose: Purpose) -> Option<AdvisedMesh> {
+        match purpose {
+            Purpose::Solver => self.solver,
+            Purpose::Patch => self.patch,
+            Purpose::Fewest => self.fewest,
+        }
+    }
+
+    /// What to name: the purpose that was told, or else the first two.
+    #[must_use]
+    pub fn purposes(&self, told: Option<Purpose>) -> Vec<Purpose> {
+        match (told, self.first) {
+            (Some(purpose), _) => vec![purpose],
+            (None, Purpose::Patch) => vec![Purpose::Patch, Purpose::Solver],
+            (None, _) => vec![Purpose::Solver, Purpose::Patch],
+        }
+    }
+
+    /// The mesh to take for a purpose, with its figures, in a sentence.
+    #[must_use]
+    pub fn sentence(&self, purpose: Purpose) -> String {
+        let figures = self.mesh_for(purpose);
+        let take = match (purpose, figures) {
+            (Purpose::Solver, _) if self.first == Purpose::Patch && figures.is_some() => {
+                "For a solver, points inside bring little here".to_owned()
+            }
+            (Purpose::Solver, _) => "For a solver, put points inside".to_owned(),
+            (Purpose::Patch, Some(mesh)) => {
+                format!("For a patch that must keep its points, take degree {}", mesh.max_degree)
+            }
+            (Purpose::Patch, None) => {
+                "For a patch that must keep its points, keep 95% of the angle".to_owned()
+            }
+            (Purpose::Fewest, Some(mesh)) => {
+                format!("For the fewest edges at a vertex, take degree {}", mesh.max_degree)
+            }
+            (Purpose::Fewest, None) => {
+                "For the fewest edges at a vertex, take the least degree".to_owned()
+            }
+        };
+        let Some(AdvisedMesh { max_degree, min_angle, share_of_delaunay }) = figures else {
+            return format!("{take}.");
+        };
+        let angle = steady_angle(min_angle);
+        match (purpose, share_of_delaunay) {
+            (Purpose::Solver, share) => {
+                let times = match share {
+                    Some(share) if share >= WORTH => {
+                        format!(", {share:.1} times what the boundary points alone allow")
+                    }
+                    _ => String::new(),
+                };
+                format!(
+                    "{take}: minimum angle {angle}{times}; at most {max_degree} edges at a vertex."
+                )
+            }
+            (_, None) => format!("{take}: minimum angle {angle}."),
+            (_, Some(share)) => {
+                let share = if share < 1.0 { percent(share) } else { "all".to_owned() };
+                format!("{take}: minimum angle {angle}, {share} of what its points allow.")
+            }
+        }
+    }
+
+    /// A sentence without its first letter, which stands small after "hint:".
+    fn rest(&self, purpose: Purpose) -> String {
+        self.sentence(purpose).trim_start_matches('F').to_owned()
+    }
+
+    /// The advice in sentences, a line each.
+    #[must_use]
+    pub fn text(&self, told: Option<Purpose>) -> String {
+        let sentences: Vec<String> =
+            self.purposes(told).into_iter().map(|purpose| self.sentence(purpose)).collect();
+        sentences.join("\n")
+    }
+
+    /// The same as hints of the terminal: each with the options of `mindeg mesh` to add, or with the whole command for
+    /// an `input`.
+    #[must_use]
+    pub fn hints(&self, input: Option<&str>) -> String {
+        let hint = |purpose: Purpose| match input {
+            Some(input) => {
+                format!("hint: f{}\n{}", self.rest(purpose), advised_command(input, purpose))
+            }
+            None => {
+                format!("hint: f{} Add {}.", self.rest(purpose), purpose.options().join(" "))
+            }
+        };
+        self.purposes(None).into_iter().map(hint).collect::<Vec<_>>().join("\n")
+    }
+}
+
+/// Whether a domain has at most [`MOST_VERTICES`].
+#[must_use]
+pub fn is_small(domain: &Domain) -> bool {
+    let inside = u32::try_from(domain.inner_points().len()).unwrap_or(u32::MAX);
+    domain.rings().vertex_count().saturating_add(inside) <= MOST_VERTICES
+}
+
+/// The command that makes the mesh for a purpose from `input`, ready for a POSIX shell.
+///
+/// ```
+/// use mindeg_answers::advice::{Purpose, advised_command};
+///
 /// assert_eq!(
-///     mindeg_answers::advice::advised_command("my wing.json"),
+///     advised_command("my wing.json", Purpose::Patch),
 ///     "mindeg mesh 'my wing.json' --keep-angle 95% -o mesh.obj"
 /// );
 /// ```
 #[must_use]
-pub fn advised_command(input: &str) -> String {
+pub fn advised_command(input: &str, purpose: Purpose) -> String {
     // A file name that begins with a dash would look like an option.
     let folder = if input.starts_with('-') { "./" } else { "" };
     let input = shell_word(&format!("{folder}{input}"));
-    format!("mindeg mesh {input} --keep-angle 95% -o mesh.obj")
+    let words = ["mindeg", "mesh", &input].into_iter().chain(purpose.options().iter().copied());
+    words.chain(["-o", "mesh.obj"]).collect::<Vec<_>>().join(" ")
 }
 
 /// A word as a POSIX shell reads it back: in quotes where it needs them.
@@ -49,7 +371,46 @@ mod tests {
             [("a.json", "a.json"), ("it's.json", r"'it'\''s.json'"), ("-x", "./-x"), ("", "''")]
         {
             let command = format!("mindeg mesh {word} --keep-angle 95% -o mesh.obj");
-            assert_eq!(advised_command(input), command);
+            assert_eq!(advised_command(input, Purpose::Patch), command);
         }
+        assert_eq!(advised_command("a", Purpose::Fewest), "mindeg mesh a -o mesh.obj");
+    }
+
+    fn made(max_degree: u32, min_angle: f64, share: Option<f64>) -> Option<AdvisedMesh> {
+        Some(AdvisedMesh { max_degree, min_angle, share_of_delaunay: share })
+    }
+
+    #[test]
+    fn points_inside_come_first_where_they_bring_a_larger_angle() {
+        let advice =
+            Advice::among(made(7, 40.0, None), made(5, 5.0, Some(1.0)), made(4, 1.0, None));
+        assert_eq!(
+            advice.text(None),
+            "For a solver, put points inside: minimum angle 40.000°, 8.0 times what the boundary points alone \
+             allow; at most 7 edges at a vertex.\n\
+             For a patch that must keep its points, take degree 5: minimum angle 5.000°, all of what its points \
+             allow."
+        );
+        assert_eq!(
+            advice.text(Some(Purpose::Fewest)),
+            "For the fewest edges at a vertex, take degree 4: minimum angle 1.000°, 20% of what its points allow."
+        );
+        assert!(advice.hints(None).ends_with("its points allow. Add --keep-angle 95%."));
+        let advice = Advice::among(made(5, 26.0, None), made(4, 26.0, Some(0.96)), None);
+        assert_eq!(advice.purposes(None), [Purpose::Patch, Purpose::Solver]);
+        assert!(
+            advice
+                .sentence(Purpose::Solver)
+                .starts_with("For a solver, points inside bring little here:")
+        );
+        assert_eq!(Advice::among(None, made(4, 26.0, Some(1.0)), None).first, Purpose::Patch);
+    }
+
+    #[test]
+    fn without_figures_the_advice_is_the_same() {
+        assert_eq!(
+            Advice::UNMEASURED.text(None),
+            "For a solver, put points inside.\nFor a patch that must keep its points, keep 95% of the angle."
+        );
     }
 }

@@ -1,8 +1,8 @@
-//! The proven facts about a mesh, and the gain from a higher degree.
+//! The proven facts about a mesh.
 
 use mindeg::beside::MeshBeside;
 use mindeg::exact::share_of;
-use mindeg::{FoundBy, Goal, HigherDegree, Meshed};
+use mindeg::{FoundBy, Goal, Meshed};
 use serde::Serialize;
 
 use crate::names::{part_name, region_count, shown};
@@ -174,11 +174,9 @@ pub fn standing(meshed: &Meshed, goal: Goal, min_angle: f64) -> Option<String> {
         format!("{share} of Delaunay's minimum angle, {}", steady_angle(most))
     });
     match (meshed.found_by, goal, kept) {
-        (FoundBy::Formula, Goal::LeastDegree, _) => Some(
-            "It is the best of the candidates that were tried; --keep-angle 95% trades degree for \
-             angle at this size."
-                .to_owned(),
-        ),
+        (FoundBy::Formula, Goal::LeastDegree, _) => {
+            Some("It is the best of the candidates that were tried.".to_owned())
+        }
         (FoundBy::Formula, _, _) => Some(
             "No window reached the limit; the formula did. A larger minimum angle may be possible."
                 .to_owned(),
@@ -210,16 +208,4 @@ pub fn standing(meshed: &Meshed, goal: Goal, min_angle: f64) -> Option<String> {
         (FoundBy::Exhaustive | FoundBy::ZigZag, _, Some(kept)) => Some(format!("It has {kept}.")),
         (_, _, _) => None,
     }
-}
-
-/// The gain from a higher degree, and the option to copy.
-#[must_use]
-pub fn higher_degree(min_angle: f64, higher: &HigherDegree) -> String {
-    format!(
-        "hint: degree {} has a minimum angle of {}, {:.1} times as much: add --max-degree {}",
-        higher.max_degree,
-        steady_angle(higher.min_angle),
-        higher.min_angle / min_angle,
-        higher.max_degree,
-    )
 }

@@ -1,7 +1,6 @@
-//! The largest minimum angle for every maximum degree, and which degree to take.
+//! The largest minimum angle for every maximum degree.
 
-use crate::advice::KEPT;
-use crate::numbers::{percent, steady_angle};
+use crate::advice::{Advice, KEPT};
 use mindeg::exact::{TradeOff, keeps, share_of};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -29,6 +28,9 @@ pub struct TradeOffAnswer {
     pub delaunay_min_angle: f64,
     /// The degree to take: the smallest that keeps 95% of Delaunay's minimum angle; null if none does.
     pub advised: Option<u32>,
+    /// The meshes to take by what they are for; absent where they were not asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub advice: Option<Advice>,
 }
 
 /// The largest minimum angle under one maximum degree.
@@ -58,6 +60,7 @@ impl TradeOffAnswer {
             points: points.collect(),
             delaunay_min_angle: trade_off.delaunay_min_angle(),
             advised: trade_off.keeping(KEPT).map(|exact| exact.max_degree),
+            advice: None,
         }
     }
 
@@ -99,48 +102,7 @@ impl TradeOffAnswer {
         }
         let kept = |point: &&AngleAtDegree| keeps(point.min_angle, KEPT, most);
         let advised = points.iter().find(kept).map(|point| point.max_degree);
-        Self { points, delaunay_min_angle: most, advised }
-    }
-
-    /// Which degree to take, and what the least costs, in a sentence or two. `delaunay_max_degree` is the
-    /// maximum degree of a Delaunay triangulation.
-    #[must_use]
-    pub fn advice(&self, delaunay_max_degree: Option<u32>) -> String {
-        let advised = self.points.iter().find(|point| Some(point.max_degree) == self.advised);
-        let (Some(least), Some(taken)) = (self.points.first(), advised.or(self.points.last()))
-        else {
-            return String::new();
-        };
-        let instead = match delaunay_max_degree {
-            Some(degree) if degree > taken.max_degree => format!(" instead of {degree}"),
-            _ => String::new(),
-        };
-        let take = format!(
-            "Take degree {}: {} of Delaunay's minimum angle, {}, with at most {} edges at a \
-             vertex{instead}.",
-            taken.max_degree,
-            percent(taken.share_of_delaunay.min(1.0)),
-            steady_angle(taken.min_angle),
-            taken.max_degree,
-        );
-        let rest = if least.max_degree == taken.max_degree {
-            "No mesh has a smaller maximum degree.".to_owned()
-        } else {
-            format!(
-                "Degree {} keeps {}, {}: degree {} has {:.1} times the minimum angle.",
-                least.max_degree,
-                percent(least.share_of_delaunay),
-                steady_angle(least.min_angle),
-                taken.max_degree,
-                taken.min_angle / least.min_angle,
-            )
-        };
-        // Windows leave it open whether a smaller degree is possible.
-        if taken.exact || least.max_degree < taken.max_degree {
-            format!("{take} {rest}")
-        } else {
-            take
-        }
+        Self { points, delaunay_min_angle: most, advised, advice: None }
     }
 
     /// The gap of the proof, in a sentence.
@@ -216,6 +178,7 @@ mod tests {
                 .collect(),
             delaunay_min_angle: 2.0,
             advised: None,
+            advice: None,
         };
         let says_angles =
             |answer: TradeOffAnswer| answer.open_question().map(|it| it.contains("larger angles"));

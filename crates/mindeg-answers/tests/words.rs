@@ -96,19 +96,6 @@ fn the_reasons_have_the_numbers_of_the_domain() {
 }
 
 #[test]
-fn the_hint_names_the_degree_and_the_option() {
-    let channel = include_str!("../../../assets/domains/boundary-layer-channel.json");
-    let domain = Domain::from_json(channel).unwrap();
-    let meshed = mesh(&domain, Goal::LeastDegree, Progress::NONE).unwrap();
-    let min_angle = meshed.mesh.angle_range().min;
-    let higher = meshed.higher_degree.unwrap();
-    assert_eq!(
-        words::higher_degree(min_angle, &higher),
-        "hint: degree 5 has a minimum angle of 2.010°, 16.1 times as much: add --max-degree 5"
-    );
-}
-
-#[test]
 fn the_words_name_the_share_that_a_mesh_keeps() {
     let text = r#"{"rectangle": {"width": 4, "height": 3}, "size": 0.5}"#;
     let domain = Domain::from_json(text).unwrap();

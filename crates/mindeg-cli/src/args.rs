@@ -17,6 +17,7 @@ mod inspect;
 mod interior;
 mod loop_choice;
 mod mesh;
+mod purpose;
 mod remesh;
 mod surface;
 mod tolerance;

@@ -21,6 +21,7 @@ pub(crate) fn run(arguments: &CompareArguments) -> Result<(), Failure> {
     let options = CompareOptions {
         time_limit: arguments.time_limit,
         interior: arguments.interior,
+        purpose: arguments.purpose.purpose,
         ..CompareOptions::default()
     };
     clean_up_on_interrupt()?;

@@ -7,12 +7,11 @@ use crate::failure::Failure;
 use crate::interrupt::{SESSION, clean_up_on_interrupt};
 use crate::standard_output::{print, print_json};
 use mindeg::beside::each;
-use mindeg::{Domain, Goal, Interior, MeshError, Progress};
-use mindeg_answers::advice::shell_word;
+use mindeg::{Domain, Interior, MeshError, Progress};
+use mindeg_answers::advice::{Advice, is_small};
 use mindeg_answers::degree::{DegreeBeside, DegreeReport};
 use mindeg_answers::limit::Lifting;
 use mindeg_answers::names::part_name;
-use mindeg_answers::numbers::steady_angle;
 use mindeg_answers::suggest::in_words;
 use mindeg_core::{Boundary, suggest};
 use mindeg_files::{Outputs, write_to};
@@ -50,7 +49,7 @@ pub(crate) fn run(arguments: &DegreeArguments) -> Result<(), Failure> {
     let mut text = report.text();
     text.extend(fewer(&report));
     if let (Some(domain), Some(path)) = (&domain, arguments.counts.path()) {
-        text.extend(higher_degree(domain, &path.display().to_string()));
+        text.extend(advice(domain, &path.display().to_string()));
     }
     text.extend(lifting.map(|found| format!("With interior points: {}\n", found.text())));
     print(&text)
@@ -132,22 +131,9 @@ fn fewer(report: &DegreeReport) -> Option<String> {
     Some(format!("hint: {words} and it is {}; mindeg suggest tells more.\n", suggestion.max_degree))
 }
 
-/// The gain from one or two degrees more on a domain, if it is large and found in about half a second.
-fn higher_degree(domain: &Domain, file: &str) -> Option<String> {
-    if domain.rings().ring_count() > 1 || domain.is_map() {
-        return None;
-    }
+/// The meshes to take of a domain, where they are found in little time.
+fn advice(domain: &Domain, file: &str) -> Option<String> {
     // A domain without a mesh says so when it is meshed.
-    let meshed = mindeg::mesh(domain, Goal::LeastDegree, Progress::NONE).ok()?;
-    let higher = meshed.higher_degree?;
-    Some(format!(
-        "hint: degree {} has a minimum angle of {}, degree {} of {}:\n\
-         mindeg mesh {} --max-degree {} -o mesh.obj\n",
-        meshed.least_max_degree,
-        steady_angle(meshed.mesh.angle_range().min),
-        higher.max_degree,
-        steady_angle(higher.min_angle),
-        shell_word(file),
-        higher.max_degree,
-    ))
+    let advice = is_small(domain).then(|| Advice::of(domain, Progress::NONE).ok()).flatten()?;
+    Some(advice.hints(Some(file)) + "\n")
 }

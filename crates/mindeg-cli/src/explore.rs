@@ -1,6 +1,7 @@
 //! `mindeg explore`: a page to edit a boundary on.
 
 use crate::args::ExploreArguments;
+use crate::browser::open;
 use crate::failure::Failure;
 use crate::interrupt::{SESSION, clean_up_on_interrupt};
 use crate::standard_output::print;
@@ -9,14 +10,14 @@ use mindeg_explore::{KnownFiles, Server, ServerError, Setup, Source, presets, so
 use mindeg_files::Input;
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Stdio};
 
 pub(crate) fn run(arguments: &ExploreArguments) -> Result<(), Failure> {
     let mut known = KnownFiles::default();
     let start = arguments.domain.as_deref().map(|path| start(path, &mut known)).transpose()?;
     add_presets(&mut known);
     clean_up_on_interrupt()?;
-    let setup = Setup { port: arguments.port.unwrap_or(0), start, known };
+    let purpose = arguments.purpose.purpose;
+    let setup = Setup { port: arguments.port.unwrap_or(0), start, known, purpose };
     let failed = |error: ServerError| Failure::Io(error.to_string());
     let server = Server::new(setup).map_err(failed)?;
     let address = server.address();
@@ -56,20 +57,4 @@ fn add_presets(known: &mut KnownFiles) {
             known.add(&path, &text);
         }
     }
-}
-
-/// Opens an address in the user's browser; false if no program can do it.
-fn open(address: &str) -> bool {
-    let mut command = if cfg!(target_os = "macos") {
-        Command::new("open")
-    } else if cfg!(windows) {
-        // `start` takes its first argument in quotes for a title.
-        let mut command = Command::new("cmd");
-        command.args(["/C", "start", ""]);
-        command
-    } else {
-        Command::new("xdg-open")
-    };
-    command.arg(address).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
-    command.spawn().is_ok()
 }

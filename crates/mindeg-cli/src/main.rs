@@ -13,6 +13,7 @@ mod args;
 mod bar;
 mod boundary_loops;
 mod bridge;
+mod browser;
 mod compare;
 mod completions;
 mod condition;

@@ -2,6 +2,7 @@
 
 use crate::args::SurfaceArguments;
 use crate::bar::Bar;
+use crate::browser::show;
 use crate::failure::Failure;
 use crate::interrupt::{SESSION, clean_up_on_interrupt};
 use crate::standard_output::print_json;
@@ -23,6 +24,7 @@ pub(crate) struct Making {
     json: bool,
     /// The outputs of a recipe, if one is wanted.
     recipe: Option<Vec<PathBuf>>,
+    is_shown: bool,
 }
 
 impl Making {
@@ -51,7 +53,8 @@ impl Making {
         // A bar would be in the way of a mesh on the terminal.
         let to_terminal = targets.use_standard_output() && io::stdout().is_terminal();
         clean_up_on_interrupt()?;
-        Ok(Self { targets, bar: Bar::new(quiet || to_terminal), quiet, json, recipe })
+        let bar = Bar::new(quiet || to_terminal);
+        Ok(Self { targets, bar, quiet, json, recipe, is_shown: surface.open })
     }
 
     /// Reads a mesh that the command takes; its materials will be those of the outputs.
@@ -110,13 +113,17 @@ impl Making {
         self,
         mesh_for: impl Fn(Format) -> &'m dyn Mesh,
     ) -> Result<Made, Failure> {
-        let Self { mut targets, bar, quiet, json, recipe } = self;
+        let Self { mut targets, bar, quiet, json, recipe, is_shown } = self;
         if let Some(outputs) = recipe {
             // All that is read was read.
             targets.set_recipe(&SESSION.recipe(&arguments_of_recipe(), &outputs)?);
         }
         let files = targets.files();
-        bar.work(|progress| targets.write(mesh_for, progress))?;
+        let shown = targets.first_format().filter(|_| is_shown);
+        bar.work(|progress| targets.write(&mesh_for, progress))?;
+        if let Some(format) = shown {
+            show(mesh_for(format), files.first().map_or("mesh", String::as_str), &bar)?;
+        }
         Ok(Made { files, quiet, json })
     }
 }

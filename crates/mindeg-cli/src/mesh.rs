@@ -13,6 +13,7 @@ use crate::failure::Failure;
 use crate::making::Making;
 use mindeg::MeshError;
 use mindeg::{Domain, Goal, Meshed, Progress};
+use mindeg_answers::advice::Advice;
 use mindeg_answers::mesh::{self as words, MeshAnswer};
 use mindeg_exact::{MAX_VERTICES, Unsolved};
 use mindeg_files::Wanted;
@@ -73,7 +74,11 @@ fn mesh_of(domain: &Domain, arguments: &MeshArguments, output: &[PathBuf]) -> Re
     let made = making.write_checked(mesh)?;
 
     let answer = MeshAnswer::of(&meshed, [angles.min, angles.max]);
-    made.say(|| text(&meshed, goal, &answer), || &answer)?;
+    let advice = || {
+        let is_told = !arguments.goal.is_empty();
+        (!is_told).then(|| Advice::if_small(domain, &meshed, Progress::NONE))
+    };
+    made.say(|| text(&meshed, goal, &answer, advice()), || &answer)?;
     end
 }
 
@@ -98,14 +103,12 @@ pub(crate) fn unsolved(error: &MeshError, way_out: &str) -> Failure {
     })
 }
 
-fn text(meshed: &Meshed, goal: Goal, answer: &MeshAnswer) -> String {
+fn text(meshed: &Meshed, goal: Goal, answer: &MeshAnswer, advice: Option<Advice>) -> String {
     let domain = meshed.mesh.domain();
     let angles = [answer.min_angle, answer.max_angle];
     let mut lines = vec![format!("{}: {}", name(domain), words::mesh(meshed, angles))];
     lines.extend(words::standing(meshed, goal, answer.min_angle));
-    if let Some(higher) = &meshed.higher_degree {
-        lines.push(words::higher_degree(answer.min_angle, higher));
-    }
+    lines.extend(advice.map(|advice| advice.hints(None)));
     lines.extend(domain.notes());
     lines.join("\n")
 }

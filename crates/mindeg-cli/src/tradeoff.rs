@@ -12,6 +12,8 @@ use crate::suggest::{left_out, spread};
 use crate::terminal::say;
 use mindeg::beside::each;
 use mindeg::exact::{self, TradeOff};
+use mindeg::{Domain, Goal, Progress, TriMesh, mesh};
+use mindeg_answers::advice::{Advice, Purpose, is_small};
 use mindeg_answers::numbers::{steady_angle, steady_percent};
 use mindeg_answers::trade_off::TradeOffAnswer;
 use mindeg_compare::{write_trade_off_html, write_trade_off_json, write_trade_off_svg};
@@ -20,8 +22,15 @@ use std::fmt::Write as _;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+/// The figures of all trade-offs, and of one also the mesh with points inside.
+struct Found {
+    answer: TradeOffAnswer,
+    told: Option<Purpose>,
+    inside: Option<TriMesh>,
+}
+
 /// Writes a trade-off that is drawn, or the figures of all.
-type Writer = fn(&TradeOff, &TradeOffAnswer, &mut dyn Write) -> io::Result<()>;
+type Writer = fn(&TradeOff, &Found, &mut dyn Write) -> io::Result<()>;
 
 pub(crate) fn run(arguments: &TradeoffArguments) -> Result<(), Failure> {
     let writers: Vec<Writer> =
@@ -49,26 +58,39 @@ pub(crate) fn run(arguments: &TradeoffArguments) -> Result<(), Failure> {
             let failure = unsolved(&error, "take mindeg mesh for the mesh of least degree");
             parts.failure((index, failure))
         })?;
-    let answer = match &trade_offs[..] {
-        [one] => TradeOffAnswer::of(one),
-        all => TradeOffAnswer::of_all(all),
+    let told = arguments.purpose.purpose;
+    let (answer, inside) = match &trade_offs[..] {
+        [one] => {
+            let (advice, inside) = advice(one.domain());
+            (TradeOffAnswer { advice: Some(advice), ..TradeOffAnswer::of(one) }, inside)
+        }
+        all => (TradeOffAnswer::of_all(all), None),
     };
+    let found = Found { answer, told, inside };
     for ((path, out), write) in arguments.output.iter().zip(opened).zip(writers) {
-        write_to(path, out, |out| write(&trade_offs[0], &answer, out))?;
+        write_to(path, out, |out| write(&trade_offs[0], &found, out))?;
     }
     outputs.finish()?;
     let files: Vec<_> = arguments.output.iter().map(|path| path.display().to_string()).collect();
     if let Some(line) = wrote(&files).filter(|_| !arguments.quiet) {
         say(&line);
     }
-    if arguments.json { print_json(&answer) } else { print(&table(&answer, arguments.limit)) }
+    if arguments.json {
+        print_json(&found.answer)
+    } else {
+        print(&table(&found.answer, arguments.limit, told))
+    }
 }
 
 fn writer(path: &Path) -> Result<Writer, Failure> {
     match extension(path).as_deref() {
-        Some("html" | "htm") => Ok(|drawn, _, out| write_trade_off_html(drawn, out)),
+        Some("html" | "htm") => Ok(|drawn, found, out| {
+            let advice = found.answer.advice.unwrap_or(Advice::UNMEASURED);
+            let inside = found.inside.as_ref();
+            write_trade_off_html(drawn, &advice, found.told, inside, out)
+        }),
         Some("svg") => Ok(|drawn, _, out| write_trade_off_svg(drawn, out)),
-        Some("json") => Ok(|_, answer, out| write_trade_off_json(answer, out)),
+        Some("json") => Ok(|_, found, out| write_trade_off_json(&found.answer, out)),
         _ => Err(Failure::Input(format!(
             "-o {}: a trade-off ends in .html, .svg or .json",
             path.display()
@@ -85,7 +107,15 @@ fn draws(path: &Path) -> bool {
     extension(path).as_deref() != Some("json")
 }
 
-fn table(answer: &TradeOffAnswer, limit: u32) -> String {
+/// The meshes to take and the one with points inside, where they take little time.
+fn advice(domain: &Domain) -> (Advice, Option<TriMesh>) {
+    let fewest = is_small(domain).then(|| mesh(domain, Goal::LeastDegree, Progress::NONE).ok());
+    let Some(fewest) = fewest.flatten() else { return (Advice::UNMEASURED, None) };
+    let (advice, found) = Advice::with_mesh(domain, &fewest, Progress::NONE);
+    (advice, found.map(|found| found.mesh))
+}
+
+fn table(answer: &TradeOffAnswer, limit: u32, told: Option<Purpose>) -> String {
     let mut text = String::from("maximum degree   minimum angle  of Delaunay's\n");
     let points = &answer.points;
     let advised = points.iter().position(|point| Some(point.max_degree) == answer.advised);
@@ -110,5 +140,6 @@ fn table(answer: &TradeOffAnswer, limit: u32) -> String {
              other."
         );
     }
+    text.extend(answer.advice.map(|advice| advice.text(told) + "\n"));
     text
 }

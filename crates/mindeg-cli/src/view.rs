@@ -2,6 +2,7 @@
 
 use crate::args::ViewArguments;
 use crate::bar::Bar;
+use crate::browser::listed;
 use crate::domain::{Subject, from_options, in_file, name_in_text};
 use crate::failure::Failure;
 use crate::interrupt::{SESSION, clean_up_on_interrupt};
@@ -9,11 +10,11 @@ use crate::making::wrote;
 use crate::mesh::meshed;
 use crate::provenance::provenance;
 use crate::terminal::say;
-use mindeg::glam::DVec3;
-use mindeg::{Domain, GoalKind};
+use mindeg::{Domain, GoalKind, interior};
+use mindeg_answers::advice::Purpose;
 use mindeg_compare::write_view;
 use mindeg_files::{Outputs, Wanted, is_standard_output, write_to};
-use mindeg_mesh::{Positions, TriMesh, filled};
+use mindeg_mesh::TriMesh;
 use std::path::Path;
 
 pub(crate) fn run(arguments: &ViewArguments) -> Result<(), Failure> {
@@ -66,6 +67,8 @@ fn refuse_for_mesh(path: &Path, arguments: &ViewArguments) -> Result<(), Failure
         options.size.is_some().then_some("--size".to_owned()),
         options.spacing.is_some().then_some("--spacing".to_owned()),
         arguments.goal.kinds().next().map(GoalKind::option),
+        arguments.goal.purpose.map(|_| "--for".to_owned()),
+        arguments.interior.then_some("--interior".to_owned()),
     ];
     match given.into_iter().flatten().next() {
         Some(option) => Err(Failure::Input(format!(
@@ -78,14 +81,13 @@ fn refuse_for_mesh(path: &Path, arguments: &ViewArguments) -> Result<(), Failure
 
 /// The mesh of a domain as a list.
 fn mesh_of(domain: &Domain, arguments: &ViewArguments, bar: &Bar) -> Result<TriMesh, Failure> {
+    let purpose = arguments.goal.purpose;
+    let in_file = domain.interior().is_some() && arguments.goal.is_empty();
+    if arguments.interior || in_file || purpose == Some(Purpose::Solver) {
+        let wanted = domain.interior().cloned().unwrap_or_default();
+        let found = bar.work(|progress| interior::mesh(domain, &wanted, progress));
+        return Ok(found.map_err(Failure::input)?.mesh);
+    }
     let mesh = bar.work(|progress| meshed(domain, arguments.goal.goal(), progress))?.mesh;
-    let positions = filled(0..mesh.vertex_count(), DVec3::ZERO, |first, out| {
-        mesh.fill_positions(first, out);
-    });
-    let listed = TriMesh::new(positions, mesh.triangles().collect());
-    let listed = listed.map_err(Failure::input)?;
-    Ok(match domain.name() {
-        Some(name) => listed.named(name),
-        None => listed,
-    })
+    listed(&mesh)
 }

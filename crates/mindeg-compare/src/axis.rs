@@ -28,14 +28,20 @@ impl Axis {
     /// first. O(1).
     #[must_use]
     pub fn bar(&self, value: f64) -> usize {
+        // The cast makes 0 of NaN.
+        ((self.share(value) * BARS as f64) as usize).min(BARS - 1)
+    }
+
+    /// Where a value is on the axis, 0 to 1; no number is nowhere. O(1).
+    #[must_use]
+    pub fn share(&self, value: f64) -> f64 {
         let [low, high] = self.range;
         let share = if self.is_logarithmic {
             libm::log(value / low) / libm::log(high / low)
         } else {
             (value - low) / (high - low)
         };
-        // NaN stays NaN when it is clamped, and the cast makes 0 of it.
-        ((share.clamp(0.0, 1.0) * BARS as f64) as usize).min(BARS - 1)
+        share.clamp(0.0, 1.0)
     }
 }
 

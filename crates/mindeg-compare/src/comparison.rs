@@ -4,11 +4,11 @@ use crate::figures::{DefectKind, DomainFigures, MethodDefect, MethodFigures};
 use crate::interior;
 use crate::reference::Reference;
 use crate::report::{Provenance, Report};
-use crate::{Advice, Method, NoTriangulation, measure, regions, verdict};
+use crate::{Method, NoTriangulation, measure, regions, verdict};
 use glam::DVec2;
 use mindeg::exact::{self, ExactMesh, TradeOff};
 use mindeg::{Domain, Goal, MeshError, Progress, Rings, Step};
-use mindeg_answers::advice::KEPT;
+use mindeg_answers::advice::{Advice, AdvisedMesh, KEPT, Purpose, is_small};
 use mindeg_answers::trade_off::TradeOffAnswer;
 use mindeg_mesh::planar::PlanarBoundary;
 use std::ops::ControlFlow;
@@ -31,13 +31,21 @@ pub struct CompareOptions {
     /// The largest number of boundary vertices for which the exact trade-off is worked out, 400
     /// unless told otherwise: about a second's work.
     pub exact_vertices: u32,
-    /// Whether meshes with interior points are made and compared, too; not unless told otherwise.
+    /// Whether the mesh with points inside is compared with a refinement, too, and made on domains of any size; not unless
+    /// told otherwise.
     pub interior: bool,
+    /// What the mesh is for, if that is known.
+    pub purpose: Option<Purpose>,
 }
 
 impl Default for CompareOptions {
     fn default() -> Self {
-        Self { time_limit: Duration::from_secs(60), exact_vertices: 400, interior: false }
+        Self {
+            time_limit: Duration::from_secs(60),
+            exact_vertices: 400,
+            interior: false,
+            purpose: None,
+        }
     }
 }
 
@@ -71,15 +79,17 @@ pub enum CompareError {
 /// let comparison = compare(&Domain::rectangle(4.0, 3.0, sides)?, &CompareOptions::default())?;
 /// let degrees = comparison.report().methods.iter().map(|method| method.max_degree);
 /// // mindeg, Delaunay, ear clipping, and a fan from the middle of the side of 2.
-/// assert_eq!(degrees.collect::<Vec<_>>(), [Some(114), Some(379), Some(1009), Some(1009)]);
+/// assert_eq!(degrees.take(4).collect::<Vec<_>>(), [Some(114), Some(379), Some(1009), Some(1009)]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Comparison {
     report: Report,
     boundary: PlanarBoundary,
-    /// The points of the boundary, then those inside.
+    /// The points of the boundary and of lines and points inside, then those of [`Method::Inside`].
     points: Vec<DVec2>,
+    /// How many of them all other methods have.
+    shared_points: usize,
     /// The rings of the domain as closed lines, and the lines inside.
     outlines: Vec<Vec<DVec2>>,
     /// The triangles of each method of the report; empty for a method without a mesh.
@@ -94,10 +104,14 @@ impl Comparison {
         &self.report
     }
 
-    /// The boundary points, in the order of the vertices, and those of lines and points inside.
+    /// The boundary points, in the order of the vertices, those of lines and points inside, and for
+    /// [`Method::Inside`] those that it has besides.
     #[must_use]
-    pub fn points(&self) -> &[DVec2] {
-        &self.points
+    pub fn points(&self, method: Method) -> &[DVec2] {
+        match method {
+            Method::Inside => &self.points,
+            _ => &self.points[..self.shared_points],
+        }
     }
 
     /// The rings of the domain as closed lines, and the lines inside.
@@ -199,11 +213,40 @@ pub fn compare(domain: &Domain, options: &CompareOptions) -> Result<Comparison, 
         methods.push(figures(Method::Exact { max_degree: exact.max_degree }, &list));
         triangles.push(list);
     }
+    let mut points = regions::points(&boundary).into_owned();
+    let shared_points = points.len();
+    let mut advice = Advice::UNMEASURED;
+    let mut interior = Vec::new();
+    if is_small(domain) || options.interior {
+        let inside = interior::inside(domain, options.time_limit);
+        let patch = mindeg::mesh(domain, Goal::KeepAngle(KEPT), Progress::NONE).ok();
+        advice = Advice::among(
+            inside.as_ref().ok().map(|(found, _)| AdvisedMesh::of_interior(&found.report)),
+            patch.as_ref().map(AdvisedMesh::of),
+            Some(AdvisedMesh::of(&meshed)),
+        );
+        // Where the trade-off was not worked out, no method has that mesh.
+        if let Some(patch) = patch.filter(|_| trade_off.is_none()) {
+            let list: Vec<[u32; 3]> = patch.mesh.triangles().collect();
+            methods.push(figures(Method::Kept, &list));
+            triangles.push(list);
+        }
+        if options.interior {
+            interior = interior::beside(domain, &inside);
+        }
+        if let Ok((found, seconds)) = inside {
+            points = interior::points(&found);
+            let list = found.mesh.triangles();
+            methods.push(MethodFigures {
+                method: Method::Inside,
+                description: Method::Inside.description().into_owned(),
+                seconds: Some(seconds),
+                ..measure::figures_inside(domain, &boundary, &points, list)
+            });
+            triangles.push(list.to_vec());
+        }
+    }
     mark_same_meshes(&mut methods, &triangles);
-    let interior = match options.interior {
-        true => interior::meshes(domain, options.time_limit),
-        false => Vec::new(),
-    };
     let rings = domain.rings();
     let outlines = outlines(domain, &boundary);
     let triangle_count = meshed.mesh.triangle_count();
@@ -226,15 +269,15 @@ pub fn compare(domain: &Domain, options: &CompareOptions) -> Result<Comparison, 
     let mut report = Report {
         provenance: Provenance::default(),
         domain,
-        advice: Advice::of(&methods, trade_off.is_some()),
+        purpose: options.purpose,
+        advice,
         methods,
         trade_off: trade_off.as_ref().map(TradeOffAnswer::of),
         interior,
         verdict: String::new(),
     };
     report.verdict = verdict::verdict(&report).text();
-    let points = regions::points(&boundary).into_owned();
-    Ok(Comparison { report, boundary, points, outlines, triangles, trade_off })
+    Ok(Comparison { report, boundary, points, shared_points, outlines, triangles, trade_off })
 }
 
 /// The sum of the lengths of each side's intervals.
@@ -383,7 +426,7 @@ mod tests {
             assert_eq!((regions, holes, all), (Some(1), 1, vertices));
             // By Euler's formula, with 18 edges on the boundary.
             assert_eq!((triangles, interior_edges), (2 * vertices - 18, 3 * vertices - 36));
-            let [own, delaunay, ear_clipping] = &comparison.report().methods[..] else {
+            let [own, delaunay, ear_clipping, ..] = &comparison.report().methods[..] else {
                 panic!("{line}")
             };
             assert!(own.valid && delaunay.valid, "{:?}", delaunay.defects);
@@ -406,7 +449,7 @@ mod tests {
             assert_eq!(report.domain.holes, holes);
             for (place, (method, triangles)) in comparison.methods().enumerate() {
                 assert_eq!(comparison.triangles(place), triangles, "{}", method.method);
-                if method.valid {
+                if method.valid && method.method != Method::Inside {
                     assert_eq!(triangles.len() as u32, report.domain.triangles);
                     // Each triangle has three sides; two triangles share each side that is not on the boundary.
                     let inner_sides = 3 * triangles.len() as u32 - report.domain.vertices;

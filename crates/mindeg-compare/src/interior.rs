@@ -2,11 +2,11 @@
 //!
 //! Both are measured here, on their points and triangles alone.
 
-use crate::NoTriangulation;
+use crate::{Method, NoTriangulation};
 use glam::DVec2;
-use mindeg::interior::{self, degree_limit};
+use mindeg::interior::{self, InteriorMesh, degree_limit};
 use mindeg::quality::TriangleQuality;
-use mindeg::{Domain, Interior, Progress, Step};
+use mindeg::{Domain, Progress, Step};
 use mindeg_delaunay::refined;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -51,43 +51,50 @@ const REFINED_TO: f64 = 30.0;
 /// Refinement that has added this many points for each boundary point does not end.
 const MOST_ADDED: usize = 1000;
 
-/// mindeg's mesh with interior points and spade's refinement of the same boundary.
-pub(crate) fn meshes(domain: &Domain, time_limit: Duration) -> Vec<InteriorFigures> {
-    let wanted = domain.interior().cloned().unwrap_or_default();
-    let limit = interior::angle_limit(domain, &wanted).ok().map(|limit| limit.min_angle);
-    vec![own(domain, &wanted, limit, time_limit), spade(domain, limit)]
-}
+/// mindeg's mesh with points inside, and the seconds that it took; or why there is none.
+pub(crate) type Inside = Result<(InteriorMesh, f64), String>;
 
-fn own(
-    domain: &Domain,
-    wanted: &Interior,
-    limit: Option<f64>,
-    time_limit: Duration,
-) -> InteriorFigures {
+/// Puts points inside a domain.
+pub(crate) fn inside(domain: &Domain, time_limit: Duration) -> Inside {
+    let wanted = domain.interior().cloned().unwrap_or_default();
     let start = Instant::now();
     let in_time = |_: Step<'_>| {
         let is_in_time = start.elapsed() < time_limit;
         if is_in_time { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     };
+    match interior::mesh(domain, &wanted, Progress::new(&in_time)) {
+        Ok(found) => Ok((found, start.elapsed().as_secs_f64())),
+        Err(interior::InteriorError::Cancelled(_)) => {
+            Err(NoTriangulation::TimeLimit { limit: time_limit }.to_string())
+        }
+        Err(error) => Err(error.to_string()),
+    }
+}
+
+/// The positions of a mesh with points inside.
+pub(crate) fn points(found: &InteriorMesh) -> Vec<DVec2> {
+    found.mesh.positions().iter().map(|point| point.truncate()).collect()
+}
+
+/// mindeg's mesh with interior points and spade's refinement of the same boundary.
+pub(crate) fn beside(domain: &Domain, inside: &Inside) -> Vec<InteriorFigures> {
+    let wanted = domain.interior().cloned().unwrap_or_default();
+    let limit = interior::angle_limit(domain, &wanted).ok().map(|limit| limit.min_angle);
+    vec![own(domain, limit, inside), spade(domain, limit)]
+}
+
+fn own(domain: &Domain, limit: Option<f64>, inside: &Inside) -> InteriorFigures {
     let named = InteriorFigures {
-        method: "mindeg --interior".to_owned(),
-        description: "Packing from the boundary inwards, then an optimiser for degrees and angles"
-            .to_owned(),
+        method: Method::Inside.to_string(),
+        description: Method::Inside.description().into_owned(),
         ..InteriorFigures::default()
     };
-    match interior::mesh(domain, wanted, Progress::new(&in_time)) {
-        Ok(found) => {
-            let seconds = Some(start.elapsed().as_secs_f64());
-            let points: Vec<DVec2> =
-                found.mesh.positions().iter().map(|point| point.truncate()).collect();
-            let figures = measured(domain, &points, found.mesh.triangles(), limit);
-            InteriorFigures { seconds, ..with_names(named, figures) }
+    match inside {
+        Ok((found, seconds)) => {
+            let figures = measured(domain, &points(found), found.mesh.triangles(), limit);
+            InteriorFigures { seconds: Some(*seconds), ..with_names(named, figures) }
         }
-        Err(interior::InteriorError::Cancelled(_)) => {
-            let failure = NoTriangulation::TimeLimit { limit: time_limit }.to_string();
-            InteriorFigures { failure: Some(failure), ..named }
-        }
-        Err(error) => InteriorFigures { failure: Some(error.to_string()), ..named },
+        Err(failure) => InteriorFigures { failure: Some(failure.clone()), ..named },
     }
 }
 
@@ -189,7 +196,8 @@ mod tests {
     #[test]
     fn both_meshes_are_measured() {
         let domain = Domain::rectangle(4.0, 3.0, [16, 12, 16, 3].map(Side::count).into()).unwrap();
-        let [own, spade] = &meshes(&domain, Duration::from_secs(60))[..] else { panic!("two") };
+        let found = inside(&domain, Duration::from_secs(60));
+        let [own, spade] = &beside(&domain, &found)[..] else { panic!("two") };
         assert_eq!((own.violations, own.max_boundary_degree), (Some(0), Some(5)), "{own:?}");
         assert!(own.share_of_limit > Some(0.95) && own.share_of_limit <= Some(1.0 + 1e-9));
         assert!(spade.min_angle < own.min_angle, "{spade:?}");
@@ -199,7 +207,7 @@ mod tests {
     #[test]
     fn what_is_late_says_so() {
         let domain = Domain::rectangle(4.0, 3.0, [16, 12, 16, 3].map(Side::count).into()).unwrap();
-        let own = &meshes(&domain, Duration::ZERO)[0];
+        let own = &beside(&domain, &inside(&domain, Duration::ZERO))[0];
         assert!(own.failure.as_ref().is_some_and(|text| text.contains("time limit")), "{own:?}");
         assert_eq!(own.triangles, None);
     }

@@ -26,10 +26,10 @@
 //! # Limits
 //!
 //! Whole meshes are kept in memory, of at most [`MAX_COMPARED_VERTICES`] boundary vertices. All
-//! methods use the boundary points alone, and the lines and points inside a map; [`CompareOptions::interior`] adds meshes with
-//! points inside.
+//! other methods use the boundary points alone, and the lines and points inside a map; [`CompareOptions::interior`] adds a
+//! refinement with points inside.
 
-mod advice;
+mod advised;
 pub mod axis;
 mod comparison;
 mod figures;
@@ -41,14 +41,13 @@ mod regions;
 pub mod report;
 mod verdict;
 
-pub use advice::Advice;
 pub use comparison::{CompareError, CompareOptions, Comparison, MAX_COMPARED_VERTICES, compare};
 pub use figures::{DefectKind, DomainFigures, MethodDefect, MethodFigures};
 pub use interior::InteriorFigures;
 pub use method::Method;
 pub use reference::{NoTriangulation, Reference, Timed};
 pub use report::{
-    IndexEntry, PageLinks, Provenance, Report, report_schema, viewer_script, viewer_style,
-    write_html, write_index, write_json, write_linked_html, write_markdown, write_trade_off_html,
-    write_trade_off_json, write_trade_off_svg, write_view,
+    IndexEntry, PageLinks, Provenance, Report, report_schema, space_script, viewer_script,
+    viewer_style, write_html, write_index, write_json, write_linked_html, write_markdown,
+    write_trade_off_html, write_trade_off_json, write_trade_off_svg, write_view,
 };

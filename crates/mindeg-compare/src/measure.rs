@@ -77,6 +77,32 @@ pub(crate) fn figures(
     }
 }
 
+/// The figures of a mesh with points inside: `points` are those of the boundary, and then those inside. O(n log n).
+pub(crate) fn figures_inside(
+    domain: &Domain,
+    boundary: &PlanarBoundary,
+    points: &[DVec2],
+    triangles: &[[u32; 3]],
+) -> MethodFigures {
+    let degrees = degrees_of(boundary, points.len(), triangles);
+    let qualities: Vec<TriangleQuality> =
+        triangles.iter().map(|&triangle| quality(points, triangle)).collect();
+    // The lines of a map are looked at by those who made it.
+    let checked = if domain.is_map() {
+        Ok(())
+    } else {
+        let inner = &points[boundary.points().len()..];
+        check::triangulation(boundary, inner, triangles).map(drop)
+    };
+    let defects = checked.err().map(|error| MethodDefect {
+        kind: DefectKind::NotATriangulation,
+        count: None,
+        message: error.to_string(),
+    });
+    let defects: Vec<MethodDefect> = defects.into_iter().collect();
+    MethodFigures { valid: defects.is_empty(), defects, ..measured(degrees, &qualities, triangles) }
+}
+
 /// The figures of triangles with these measures, whose vertices have these degrees: what can be
 /// counted without knowing what a valid mesh is.
 pub(crate) fn measured(
@@ -110,13 +136,23 @@ pub(crate) fn quality(points: &[DVec2], triangle: [u32; 3]) -> TriangleQuality {
 /// The number of neighbours of every vertex of a boundary and inside it, those along edges of the boundary and of lines
 /// included, in a list that need not be a triangulation.
 pub(crate) fn degrees(boundary: &PlanarBoundary, triangles: &[[u32; 3]]) -> Vec<u32> {
+    let vertices = boundary.points().len() + boundary.inner_points().len();
+    degrees_of(boundary, vertices, triangles)
+}
+
+/// The same where there are so many vertices.
+pub(crate) fn degrees_of(
+    boundary: &PlanarBoundary,
+    vertices: usize,
+    triangles: &[[u32; 3]],
+) -> Vec<u32> {
     let edges = (0..boundary.edge_count()).map(|edge| boundary.ends(edge));
     let sides = triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
     let mut edges: Vec<[u32; 2]> =
         edges.chain(sides).map(|[a, b]| [a.min(b), a.max(b)]).filter(|[a, b]| a != b).collect();
     edges.sort_unstable();
     edges.dedup();
-    let mut degrees = vec![0; boundary.points().len() + boundary.inner_points().len()];
+    let mut degrees = vec![0; vertices];
     for vertex in edges.into_iter().flatten() {
         degrees[vertex as usize] += 1;
     }

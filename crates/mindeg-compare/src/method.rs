@@ -28,6 +28,10 @@ pub enum Method {
         /// The degree limit.
         max_degree: u32,
     },
+    /// mindeg's mesh of the least degree that keeps 95% of Delaunay's minimum angle.
+    Kept,
+    /// mindeg's mesh with points inside.
+    Inside,
 }
 
 impl Method {
@@ -48,6 +52,12 @@ impl Method {
                  edges at a vertex has, by exhaustive dynamic programming."
             )
             .into(),
+            Self::Kept => "The mesh of mindeg mesh --keep-angle 95%: the smallest maximum degree that is \
+                           reached with this share of Delaunay's minimum angle."
+                .into(),
+            Self::Inside => "The mesh of mindeg mesh --interior: points are packed from the boundary \
+                             inwards, then an optimiser moves them and turns edges for degrees and angles."
+                .into(),
         }
     }
 }
@@ -58,6 +68,8 @@ impl Display for Method {
             Self::LeastDegree => formatter.write_str("mindeg"),
             Self::Reference(reference) => formatter.write_str(reference.name()),
             Self::Exact { max_degree } => write!(formatter, "Exact, degree {max_degree}"),
+            Self::Kept => formatter.write_str("mindeg, 95% of the angle"),
+            Self::Inside => formatter.write_str("mindeg, points inside"),
         }
     }
 }

@@ -10,6 +10,7 @@ mod html;
 mod index;
 mod markdown;
 mod picture;
+mod scene;
 mod svg;
 mod tables;
 mod trade_off;
@@ -21,10 +22,11 @@ pub use index::{IndexEntry, write_index};
 pub use markdown::write_markdown;
 pub use trade_off::{write_trade_off_html, write_trade_off_json, write_trade_off_svg};
 pub use view::write_view;
-pub use viewer::{viewer_script, viewer_style};
+pub use viewer::{space_script, viewer_script, viewer_style};
 
+use crate::InteriorFigures;
 use crate::figures::{DomainFigures, MethodFigures};
-use crate::{Advice, InteriorFigures};
+use mindeg_answers::advice::{Advice, Purpose};
 use mindeg_answers::trade_off::TradeOffAnswer;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -43,7 +45,7 @@ use std::io::{self, Write};
 /// let report = comparison.report();
 /// assert_eq!(report.domain.least_max_degree, Some(4));
 /// assert_eq!(report.methods[0].max_degree, Some(4));
-/// assert!(report.verdict.starts_with("Take degree 5: all of Delaunay's minimum angle"));
+/// assert!(report.verdict.contains("take degree 5: minimum angle"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -58,15 +60,17 @@ pub struct Report {
     pub provenance: Provenance,
     /// The domain that was triangulated.
     pub domain: DomainFigures,
-    /// Which mesh to take; null where there is no valid Delaunay triangulation to compare with, or
-    /// where the degrees between the least and its were not worked out.
-    pub advice: Option<Advice>,
-    /// mindeg first, then the methods it is compared with. All have the same boundary points.
+    /// What the mesh is for, if that was told.
+    pub purpose: Option<Purpose>,
+    /// Which mesh to take; its figures are null on a domain that is too large to make them all.
+    pub advice: Advice,
+    /// mindeg first, then the methods it is compared with. All have the same boundary points; `mindeg, points inside` has
+    /// more.
     pub methods: Vec<MethodFigures>,
     /// The largest minimum angle of every degree, exactly; null where the domain is too large for that or the time
     /// limit too short. The methods named exact are meshes of its points.
     pub trade_off: Option<TradeOffAnswer>,
-    /// Meshes with interior points on the same boundary; empty unless asked for.
+    /// Meshes with interior points on the same boundary, beside a refinement; empty unless asked for.
     pub interior: Vec<InteriorFigures>,
     /// The figures in words.
     pub verdict: String,

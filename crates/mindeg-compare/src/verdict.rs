@@ -6,18 +6,15 @@
 //! angle matters more is the reader's to know.
 
 use crate::Method;
+use crate::advised::patch;
 use crate::figures::{DefectKind, MethodFigures};
 use crate::report::Report;
-use mindeg_answers::advice::KEPT;
+use mindeg_answers::advice::Purpose;
 use mindeg_answers::numbers::{count, percent, steady_angle};
-use std::cmp::Ordering::Equal;
 
 /// Angles closer than this, relatively, are the same: a minimum angle of a millionth of a
 /// degree, rounded in f64, is known to about eight digits.
 const SAME: f64 = 1e-8;
-
-/// A minimum angle, in degrees, below which meshers commonly ask for better.
-const GOOD_ANGLE: f64 = 20.0;
 
 /// The shares of small angles that the verdict compares: the worst triangles, and many.
 const SMALL_ANGLES: [u32; 2] = [5, 15];
@@ -33,6 +30,8 @@ const LOW_MEDIAN: f64 = 0.8;
 pub(crate) struct Verdict {
     /// The advice; it can stand alone.
     pub(crate) headline: String,
+    /// The advice for another purpose.
+    pub(crate) also: Option<String>,
     /// The objections to the advice.
     pub(crate) caveat: Option<String>,
     /// Further remarks on the figures.
@@ -47,7 +46,7 @@ impl Verdict {
     /// All of it, sentence by sentence.
     pub(crate) fn sentences(&self) -> impl Iterator<Item = &str> {
         let first = [&self.headline].into_iter().filter(|sentence| !sentence.is_empty());
-        first.chain(&self.caveat).chain(&self.notes).map(String::as_str)
+        first.chain(&self.also).chain(&self.caveat).chain(&self.notes).map(String::as_str)
     }
 
     /// All of it as one text.
@@ -83,84 +82,36 @@ pub(crate) fn verdict(report: &Report) -> Verdict {
             steady_angle(angle_there)
         ));
     }
-    let (headline, taken) = headline(report, mindeg, delaunay);
-    Verdict { headline, caveat: caveat(taken, delaunay), notes: notes(report, angle_there) }
+    let mut advised = report.advice.purposes(report.purpose).into_iter();
+    let mut sentence = || advised.next().map(|purpose| report.advice.sentence(purpose));
+    let (headline, also) = (sentence().unwrap_or_default(), sentence());
+    let is_about_patch = report.purpose.is_none_or(|purpose| purpose == Purpose::Patch);
+    let taken = patch(report).filter(|_| is_about_patch);
+    let mut notes: Vec<String> =
+        beside_delaunay(taken.unwrap_or(mindeg), delaunay).into_iter().collect();
+    notes.extend(report.methods.iter().filter_map(failure));
+    Verdict { headline, also, caveat: taken.and_then(|taken| caveat(taken, delaunay)), notes }
+}
+
+/// The degree of a mesh beside Delaunay's, in a sentence.
+fn beside_delaunay(mesh: &MethodFigures, delaunay: &MethodFigures) -> Option<String> {
+    let (degree, angle) = mesh.outcome()?;
+    let (degree_there, angle_there) = delaunay.outcome()?;
+    Some(if degree < degree_there {
+        format!(
+            "Delaunay's triangulation has up to {} edges at a vertex where degree {} keeps {} of its minimum angle.",
+            count(degree_there),
+            count(degree),
+            kept(angle / angle_there)
+        )
+    } else {
+        "Delaunay's triangulation has no higher degree.".to_owned()
+    })
 }
 
 /// The words that follow mindeg's maximum degree.
 fn least(report: &Report) -> &'static str {
     if report.domain.least_max_degree.is_some() { ", the least possible" } else { "" }
-}
-
-/// The advice, and the mesh it is about; both methods have a valid mesh.
-fn headline<'a>(
-    report: &'a Report,
-    mindeg: &'a MethodFigures,
-    delaunay: &'a MethodFigures,
-) -> (String, &'a MethodFigures) {
-    let degree = |method: &MethodFigures| method.max_degree.unwrap_or_default();
-    let share = |method: &MethodFigures| {
-        kept(method.min_angle.unwrap_or_default() / delaunay.min_angle.unwrap_or(f64::INFINITY))
-    };
-    let advised = report.advice.map_or(Method::DELAUNAY, |advice| advice.method);
-    let advised = report.methods.iter().find(|method| method.method == advised).unwrap_or(delaunay);
-    if degree(advised) < degree(delaunay) {
-        let text = format!(
-            "Take degree {}: {} of Delaunay's minimum angle, at most {} edges at a vertex instead of {}.",
-            count(degree(advised)),
-            share(advised),
-            count(degree(advised)),
-            count(degree(delaunay))
-        );
-        return (text, advised);
-    }
-    if degree(mindeg) >= degree(delaunay) {
-        let text = format!(
-            "Take degree {}: Delaunay's mesh has the least possible maximum degree, too.",
-            count(degree(delaunay))
-        );
-        return (text, advised);
-    }
-    if report.trade_off.is_none() {
-        let text = format!(
-            "Degree {}{} keeps {} of Delaunay's minimum angle, with at most {} edges at a vertex instead of \
-             {}.",
-            count(degree(mindeg)),
-            if report.domain.least_max_degree.is_some() { ", the least possible," } else { "" },
-            share(mindeg),
-            count(degree(mindeg)),
-            count(degree(delaunay))
-        );
-        return (text, mindeg);
-    }
-    let lower = report.methods.iter().filter(|method| {
-        method.outcome().is_some_and(|(its_degree, _)| its_degree < degree(delaunay))
-    });
-    let best = lower.max_by(|a, b| a.min_angle.partial_cmp(&b.min_angle).unwrap_or(Equal));
-    let best = best.unwrap_or(mindeg);
-    let text = format!(
-        "Take Delaunay's degree, {}: every lower one costs more than {} of the minimum angle; degree \
-         {} keeps {}.",
-        count(degree(delaunay)),
-        percent(1.0 - KEPT),
-        count(degree(best)),
-        share(best)
-    );
-    (text, advised)
-}
-
-/// Notes on the limits of the boundary and on methods that failed.
-fn notes(report: &Report, angle_there: f64) -> Vec<String> {
-    let mut sentences = Vec::new();
-    if angle_there < GOOD_ANGLE {
-        sentences.push(format!(
-            "No triangulation of these boundary points alone has a minimum angle above {}; to \
-             do better, change the intervals or add points inside.",
-            steady_angle(angle_there)
-        ));
-    }
-    sentences.extend(report.methods.iter().filter_map(failure));
-    sentences
 }
 
 /// How much of Delaunay's minimum angle a mesh has.
@@ -186,7 +137,7 @@ fn caveat(taken: &MethodFigures, delaunay: &MethodFigures) -> Option<String> {
         .max_by(|(_, own, there), (_, other, its)| (own - there).total_cmp(&(other - its)));
     let more = more.map(|(below, own, there)| {
         format!(
-            "{} of its triangles have an angle below {below}°, against {} in Delaunay's mesh",
+            "{} of the triangles have an angle below {below}°, against {} in Delaunay's mesh",
             rounded(own),
             rounded(there)
         )
@@ -195,13 +146,13 @@ fn caveat(taken: &MethodFigures, delaunay: &MethodFigures) -> Option<String> {
     let low = median(taken).zip(median(delaunay)).filter(|(own, there)| *own < LOW_MEDIAN * there);
     let low = low.map(|(own, there)| {
         format!(
-            "the median of its triangles' minimum angles is {}, against {}",
+            "the median of the triangles' minimum angles is {}, against {}",
             steady_angle(own),
             steady_angle(there)
         )
     });
     let parts: Vec<String> = [more, low].into_iter().flatten().collect();
-    (!parts.is_empty()).then(|| format!("But {}.", parts.join(", and ")))
+    (!parts.is_empty()).then(|| format!("But of that patch, {}.", parts.join(", and ")))
 }
 
 /// A share in whole percent.
@@ -226,11 +177,11 @@ fn reasons(method: &MethodFigures) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Reference;
     use crate::figures::{DomainFigures, MethodDefect};
     use crate::report::Provenance;
-    use crate::{Advice, Reference};
     use mindeg::quality::Distribution;
-    use mindeg_answers::trade_off::TradeOffAnswer;
+    use mindeg_answers::advice::{Advice, AdvisedMesh};
 
     const FAN: Method = Method::Reference(Reference::Fan);
 
@@ -261,7 +212,7 @@ mod tests {
         MethodFigures { method, max_degree, defects: vec![defect], ..MethodFigures::default() }
     }
 
-    /// Checks the verdict on some methods; the trade-off is known where one of them is exact.
+    /// Checks the verdict on some methods, of which the last is advised for a patch.
     #[track_caller]
     fn check(methods: Vec<MethodFigures>, expected: &[&str]) {
         let domain = DomainFigures {
@@ -278,14 +229,19 @@ mod tests {
             regions: None,
             least_max_degree: Some(4),
         };
-        let has_exact = methods.iter().any(|m| matches!(m.method, Method::Exact { .. }));
-        let trade_off = TradeOffAnswer { points: vec![], delaunay_min_angle: 1.0, advised: None };
+        let patch = methods.last().and_then(MethodFigures::outcome);
+        let patch = patch.map(|(max_degree, min_angle)| AdvisedMesh {
+            max_degree,
+            min_angle,
+            share_of_delaunay: None,
+        });
         let report = Report {
             provenance: Provenance::default(),
             domain,
-            advice: Advice::of(&methods, has_exact),
+            purpose: Some(Purpose::Patch),
+            advice: Advice::among(None, patch, None),
             methods,
-            trade_off: has_exact.then_some(trade_off),
+            trade_off: None,
             interior: Vec::new(),
             verdict: String::new(),
         };
@@ -293,37 +249,22 @@ mod tests {
     }
 
     #[test]
-    fn the_first_sentence_says_what_to_take() {
-        for (methods, expected) in [
-            (
-                vec![mindeg(4, 2.0), delaunay(13, 30.0), exact(4, 2.0), exact(5, 29.1)],
-                "Take degree 5: 97% of Delaunay's minimum angle, at most 5 edges at a vertex instead of 13.",
-            ),
-            (
-                vec![mindeg(4, 30.0), delaunay(5, 30.000_000_000_1)],
-                "Take degree 4: all of Delaunay's minimum angle, at most 4 edges at a vertex instead of 5.",
-            ),
-            (
-                vec![mindeg(4, 25.0), delaunay(4, 30.0), exact(4, 29.0)],
-                "Take degree 4: Delaunay's mesh has the least possible maximum degree, too.",
-            ),
-            (
-                vec![
-                    mindeg(4, 3.0),
-                    delaunay(6, 30.0),
-                    exact(4, 3.0),
-                    exact(5, 15.0),
-                    exact(6, 30.0),
-                ],
-                "Take Delaunay's degree, 6: every lower one costs more than 5% of the minimum angle; degree 5 keeps 50%.",
-            ),
-            (
-                vec![mindeg(4, 15.0), delaunay(9, 30.0)],
-                "Degree 4, the least possible, keeps 50% of Delaunay's minimum angle, with at most 4 edges at a vertex instead of 9.",
-            ),
-        ] {
-            check(methods, &[expected]);
-        }
+    fn the_advised_mesh_stands_beside_delaunays() {
+        check(
+            vec![mindeg(4, 2.0), delaunay(13, 30.0), exact(4, 2.0), exact(5, 29.1)],
+            &[
+                "For a patch that must keep its points, take degree 5: minimum angle 29.100°.",
+                "Delaunay's triangulation has up to 13 edges at a vertex where degree 5 keeps 97% of its \
+                 minimum angle.",
+            ],
+        );
+        check(
+            vec![mindeg(4, 25.0), delaunay(4, 30.0), exact(4, 29.0)],
+            &[
+                "For a patch that must keep its points, take degree 4: minimum angle 29.000°.",
+                "Delaunay's triangulation has no higher degree.",
+            ],
+        );
     }
 
     /// The minimum alone misleads: on a regular polygon all triangulations have the same.
@@ -333,40 +274,38 @@ mod tests {
             share_below_degrees: [(5, below_5), (15, below_15)].into(),
             ..method
         };
-        let first = "Take degree 4: all of Delaunay's minimum angle, at most 4 edges at a vertex instead of 14.";
-        check(
-            vec![with(mindeg(4, 25.0), 1.0, 1.0), with(delaunay(14, 25.0), 0.786, 0.95)],
-            &[
-                first,
-                "But 100% of its triangles have an angle below 5°, against 79% in Delaunay's mesh.",
-            ],
-        );
-        check(
-            vec![with(mindeg(4, 25.0), 0.1, 0.5), with(delaunay(14, 25.0), 0.05, 0.45)],
-            &[first],
-        );
-        // The text gives the greater of two differences, whatever the shares are.
-        check(
-            vec![with(mindeg(4, 25.0), 0.9, 0.95), with(delaunay(14, 25.0), 0.2, 0.5)],
-            &[
-                first,
-                "But 90% of its triangles have an angle below 5°, against 20% in Delaunay's mesh.",
-            ],
-        );
-        check(
-            vec![with(mindeg(4, 25.0), 0.2, 0.95), with(delaunay(14, 25.0), 0.004, 0.5)],
-            &[
-                first,
-                "But 95% of its triangles have an angle below 15°, against 50% in Delaunay's mesh.",
-            ],
-        );
-        check(
-            vec![with(mindeg(4, 25.0), 0.2, 0.5), with(delaunay(14, 25.0), 0.004, 0.5)],
-            &[
-                first,
-                "But 20% of its triangles have an angle below 5°, against 0.4% in Delaunay's mesh.",
-            ],
-        );
+        for (own, there, told) in [
+            (
+                (1.0, 1.0),
+                (0.786, 0.95),
+                Some("100% of the triangles have an angle below 5°, against 79%"),
+            ),
+            ((0.1, 0.5), (0.05, 0.45), None),
+            // The text gives the greater of two differences, whatever the shares are.
+            (
+                (0.9, 0.95),
+                (0.2, 0.5),
+                Some("90% of the triangles have an angle below 5°, against 20%"),
+            ),
+            (
+                (0.2, 0.95),
+                (0.004, 0.5),
+                Some("95% of the triangles have an angle below 15°, against 50%"),
+            ),
+            (
+                (0.2, 0.5),
+                (0.004, 0.5),
+                Some("20% of the triangles have an angle below 5°, against 0.4%"),
+            ),
+        ] {
+            let caveat = caveat(
+                &with(exact(4, 25.0), own.0, own.1),
+                &with(delaunay(14, 25.0), there.0, there.1),
+            );
+            let expected =
+                told.map(|told| format!("But of that patch, {told} in Delaunay's mesh."));
+            assert_eq!(caveat, expected);
+        }
     }
 
     #[test]
@@ -377,21 +316,18 @@ mod tests {
             let metrics = [("min_angle", all)].into();
             MethodFigures { metrics: Some(metrics), ..method }
         };
-        let first = "Take degree 4: all of Delaunay's minimum angle, at most 4 edges at a vertex instead of 14.";
         for (own, there, told) in [
             (
                 28.0,
                 40.0,
-                Some(
-                    "But the median of its triangles' minimum angles is 28.000°, against 40.000°.",
-                ),
+                Some("the median of the triangles' minimum angles is 28.000°, against 40.000°"),
             ),
             // No less than 0.8 of it.
             (33.0, 40.0, None),
             (45.0, 40.0, None),
         ] {
-            let expected: Vec<&str> = [first].into_iter().chain(told).collect();
-            check(vec![with(mindeg(4, 25.0), own), with(delaunay(14, 25.0), there)], &expected);
+            let caveat = caveat(&with(exact(4, 25.0), own), &with(delaunay(14, 25.0), there));
+            assert_eq!(caveat, told.map(|told| format!("But of that patch, {told}.")));
         }
     }
 
@@ -403,19 +339,6 @@ mod tests {
                 "Something is wrong: mindeg's minimum angle, 30.000°, is larger than Delaunay's, 29.000°, and no triangulation of the same points can have that. Please report this domain.",
             ],
         );
-    }
-
-    #[test]
-    fn tells_the_limit() {
-        let level = "Take degree 4: Delaunay's mesh has the least possible maximum degree, too.";
-        check(
-            vec![mindeg(4, 12.5), delaunay(4, 12.5)],
-            &[
-                level,
-                "No triangulation of these boundary points alone has a minimum angle above 12.500°; to do better, change the intervals or add points inside.",
-            ],
-        );
-        check(vec![mindeg(4, 25.0), delaunay(4, 25.0)], &[level]);
     }
 
     #[test]
@@ -433,7 +356,6 @@ mod tests {
 
     #[test]
     fn failures_are_told_but_not_a_missing_fan() {
-        let level = "Take degree 4: Delaunay's mesh has the least possible maximum degree, too.";
         for (other, told) in [
             (failed(FAN, DefectKind::NoTriangles, None), None),
             (
@@ -445,8 +367,14 @@ mod tests {
                 Some("Fan gives no valid triangulation here: it went wrong."),
             ),
         ] {
-            let expected: Vec<&str> = [level].into_iter().chain(told).collect();
-            check(vec![mindeg(4, 25.0), delaunay(4, 25.0), other], &expected);
+            let expected: Vec<&str> = [
+                "For a patch that must keep its points, take degree 4: minimum angle 25.000°.",
+                "Delaunay's triangulation has no higher degree.",
+            ]
+            .into_iter()
+            .chain(told)
+            .collect();
+            check(vec![delaunay(4, 25.0), other, mindeg(4, 25.0)], &expected);
         }
     }
 }

@@ -15,10 +15,9 @@ let keeping;
 
 /** What is asked for: what is on screen, and nothing else. */
 export function request() {
-  const { domain, goal, color, beside, format } = state;
-  const show = ["wanted", "degree", "limit", "curve", "suggestions", "command"];
-  if (beside !== "none") show.splice(1, 0, beside);
-  return { domain, goal, show, color, format, view: "wanted" };
+  const { domain, goal, color, view, beside, format } = state;
+  const show = [view, ...(beside === "none" ? [] : [beside]), "advice", "degree", "limit", "curve", "suggestions", "command"];
+  return { domain, goal, show, color, format, view };
 }
 
 export function ask() {
@@ -48,6 +47,7 @@ export function apply(domain) {
 export function begin(domain, notes = []) {
   if (state.domain) remember(state.domain);
   state.domain = domain;
+  shown.advice = null;
   startAnew();
   shown.sourceNotes = notes;
   ask();

@@ -2,14 +2,87 @@
 // From the viewer's script: make.
 
 import { apply, ask } from "./asking.js";
+import { angleText } from "./curve.js";
 import { element, showCurveNow } from "./show.js";
-import { state } from "./state.js";
+import { shown, state } from "./state.js";
 
 /** What a field for a goal's value begins with. */
 const USUAL = { share: 95, degree: 6 };
 
 let goals = [];
 let keys = [];
+
+// ---- what the mesh is for
+
+/** The purposes as they are offered, and the mesh that each asks for. */
+const PURPOSES = {
+  solver: { title: "A solver", what: "points inside, for large angles", view: "interior" },
+  patch: { title: "A patch", what: "keeps its points, and 95% of the angle", view: "wanted", goal: { keep_angle: 0.95 } },
+  fewest: { title: "Fewest edges", what: "at a vertex, however thin the triangles", view: "wanted", goal: "least_degree" },
+};
+
+const isSameGoal = (a, b) => JSON.stringify(a) === JSON.stringify(b);
+
+/** The purpose that the mesh on screen serves, or undefined. */
+const purposeNow = () => Object.keys(PURPOSES).find((name) => {
+  const { view, goal } = PURPOSES[name];
+  return view === state.view && (!goal || isSameGoal(goal, state.goal));
+});
+
+/** Offers the purposes; `onView` is called when another mesh is looked at. */
+export function offerPurposes(onView) {
+  showViews = onView;
+  element("purposes").append(...Object.entries(PURPOSES).map(([name, { title, what }]) => {
+    const button = make("button", "purpose");
+    button.type = "button";
+    button.dataset.purpose = name;
+    button.append(make("b", "", title), make("span", "figures"), make("small", "", what));
+    button.addEventListener("click", () => choosePurpose(name));
+    return button;
+  }));
+}
+
+let showViews;
+
+/** Takes the mesh for a purpose. With `isGuess`, the reader has not said so. */
+export function choosePurpose(name, isGuess = false) {
+  const { view, goal } = PURPOSES[name];
+  if (!isGuess) state.isTold = true;
+  if (goal) state.goal = goal;
+  lookAtView(view);
+}
+
+/** Leads to points inside again, for another domain, if the reader has not said what the mesh is for. */
+export function guessAgain() {
+  if (state.isTold || state.view === "interior") return;
+  if (state.beside === "interior") state.beside = state.view;
+  state.view = "interior";
+  showGoal();
+  showViews();
+}
+
+/** Looks at a view first; the mesh that was looked at stands beside it. */
+function lookAtView(view) {
+  if (state.beside === view) state.beside = state.view;
+  state.view = view;
+  showGoal();
+  showViews();
+  ask();
+}
+
+/** Shows the advice: the figures of the mesh for each purpose, and why. */
+export function showAdvice() {
+  const { advice } = shown;
+  const now = purposeNow();
+  for (const button of element("purposes").children) {
+    const { purpose } = button.dataset;
+    const mesh = advice?.[purpose];
+    button.setAttribute("aria-pressed", String(purpose === now));
+    button.querySelector(".figures").textContent = mesh ? `${angleText(mesh.min_angle)}, degree ${mesh.max_degree}` : "";
+  }
+  const words = advice?.words.find(([purpose]) => purpose === now);
+  element("advice").textContent = words?.[1] ?? "";
+}
 
 // ---- the goal
 
@@ -42,16 +115,19 @@ function goalButton({ key, value, choice }) {
 export function showGoal() {
   const now = typeof state.goal === "string" ? { [state.goal]: null } : state.goal;
   for (const { key, value, radio, field } of goals) {
-    radio.checked = key in now;
+    radio.checked = state.view === "wanted" && key in now;
     if (radio.checked && field) field.value = String(value === "share" ? Number((100 * now[key]).toPrecision(6)) : now[key]);
   }
   showCurveNow(chooseDegree);
+  showAdvice();
 }
 
+/** Takes the mesh of a row: of a degree, or with points inside. */
 export function chooseDegree(degree) {
+  state.isTold = true;
+  if (degree === "inside") return lookAtView("interior");
   state.goal = { max_degree: degree };
-  showGoal();
-  ask();
+  lookAtView("wanted");
 }
 
 function readGoal() {
@@ -60,7 +136,8 @@ function readGoal() {
   const number = field?.valueAsNumber;
   if (!field) state.goal = value.word ? { [key]: value.word } : key;
   else if (number > 0 && number <= Number(field.max || Infinity)) state.goal = { [key]: value === "share" ? number / 100 : number };
-  ask();
+  state.isTold = true;
+  lookAtView("wanted");
 }
 
 // ---- points inside

@@ -27,21 +27,25 @@ function steps(highest, most) {
   return Array.from({ length: Math.floor(highest / step + 1e-9) + 1 }, (_, i) => Number((i * step).toPrecision(6)));
 }
 
-/** `shown` is a degree whose mesh is in the picture; `choose` is called with a degree. */
-export function showCurve(box, rows, curve, shown, choose) {
+/**
+ * `inside` has the figures of the mesh with points inside, if they are known. `shown` is a degree whose mesh is in the
+ * picture, or "inside"; `choose` is called with one of them.
+ */
+export function showCurve(box, rows, curve, inside, shown, choose) {
   const { points } = curve;
   if (!points.length) {
     box.replaceChildren();
     rows.replaceChildren();
     return;
   }
-  showRows(rows, curve, shown, choose);
-  if (points.length < 2) {
+  showRows(rows, curve, inside, shown, choose);
+  if (points.length < 2 && !inside) {
     box.replaceChildren();
     return;
   }
-  const [from, to] = [points[0].max_degree, points.at(-1).max_degree];
-  const highest = Math.max(curve.delaunay_min_angle, ...points.map(({ min_angle }) => min_angle)) || 1;
+  const degrees = [...points, ...(inside ? [inside] : [])].map(({ max_degree }) => max_degree);
+  const [from, to] = [Math.min(...degrees), Math.max(...degrees)];
+  const highest = Math.max(curve.delaunay_min_angle, inside?.min_angle ?? 0, ...points.map(({ min_angle }) => min_angle)) || 1;
   const x = (degree) => LEFT + 20 + ((degree - from) / (to - from + 0.35)) * (WIDTH - LEFT - RIGHT - 20);
   const y = (angle) => HEIGHT - BOTTOM - (angle / highest) * (HEIGHT - TOP - BOTTOM);
   const told = points.map(({ max_degree, min_angle }) => `degree ${max_degree}: ${angleText(min_angle)}`).join(", ");
@@ -50,10 +54,10 @@ export function showCurve(box, rows, curve, shown, choose) {
     svg.append(draw("path", { class: "grid", d: `M${LEFT} ${y(angle)}H${WIDTH - RIGHT}` }));
     svg.append(draw("text", { class: "tick", "text-anchor": "end", x: LEFT - 8, y: y(angle) + 4 }, `${angle}°`));
   }
-  const every = Math.ceil(points.length / 9);
-  points.forEach(({ max_degree }, place) => {
+  const every = Math.ceil(degrees.length / 9);
+  [...new Set(degrees)].forEach((degree, place) => {
     if (place % every) return;
-    svg.append(draw("text", { class: "tick", "text-anchor": "middle", x: x(max_degree), y: HEIGHT - BOTTOM + 18 }, String(max_degree)));
+    svg.append(draw("text", { class: "tick", "text-anchor": "middle", x: x(degree), y: HEIGHT - BOTTOM + 18 }, String(degree)));
   });
   svg.append(draw("path", { class: "axis", d: `M${LEFT} ${HEIGHT - BOTTOM}H${WIDTH - RIGHT}` }));
   svg.append(draw("text", { class: "tick", "text-anchor": "middle", x: (LEFT + WIDTH - RIGHT) / 2, y: HEIGHT - 4 }, "maximum degree"));
@@ -63,40 +67,49 @@ export function showCurve(box, rows, curve, shown, choose) {
   svg.append(draw("text", { class: "tick", x: LEFT + 4, y: ceiling - 15 }, `Delaunay${degree}: ${angleText(curve.delaunay_min_angle)}`));
   const line = points.map((point, i) => (i ? `H${x(point.max_degree)}V` : `M${x(point.max_degree)} `) + y(point.min_angle));
   svg.append(draw("path", { class: "curve", d: `${line.join("")}H${WIDTH - RIGHT}` }));
-  for (const { max_degree, min_angle } of points) {
+  const mark = (value, title, { max_degree, min_angle }) => {
     const group = draw("g", { class: "pick" });
-    group.append(draw("title", {}, `Show degree ${max_degree}: ${angleText(min_angle)}`));
+    group.append(draw("title", {}, `Show ${title}: ${angleText(min_angle)}`));
     const at = { cx: x(max_degree), cy: y(min_angle) };
     group.append(draw("circle", { class: "target", ...at, r: 16 }));
-    if (max_degree === shown) group.append(draw("circle", { class: "advised", ...at, r: 11 }));
+    if (value === shown) group.append(draw("circle", { class: "advised", ...at, r: 11 }));
     group.append(draw("circle", { class: "point ringed", ...at, r: 6 }));
-    group.dataset.degree = max_degree;
-    group.addEventListener("click", () => choose(max_degree));
+    group.dataset.degree = value;
+    group.addEventListener("click", () => choose(value));
     svg.append(group);
+  };
+  for (const point of points) mark(point.max_degree, `degree ${point.max_degree}`, point);
+  if (inside) {
+    mark("inside", "points inside", inside);
+    const isLeft = x(inside.max_degree) > WIDTH / 2;
+    svg.append(draw("text", { class: "tick", "text-anchor": isLeft ? "end" : "start",
+      x: x(inside.max_degree) + (isLeft ? -16 : 16), y: y(inside.min_angle) + 4 }, "points inside"));
   }
   box.replaceChildren(svg);
 }
 
-/** One button for each degree, with its angle. */
-function showRows(rows, { points }, shown, choose) {
+/** One button for points inside and one for each degree, with its angle. */
+function showRows(rows, { points }, inside, shown, choose) {
+  const all = [...(inside ? [{ value: "inside", ...inside }] : []), ...points.map((point) => ({ value: point.max_degree, ...point }))];
   // Buttons are kept, so that the one with the focus keeps it.
-  while (rows.children.length > points.length) rows.lastChild.remove();
-  points.forEach(({ max_degree, min_angle, share_of_delaunay: share, exact }, place) => {
+  while (rows.children.length > all.length) rows.lastChild.remove();
+  all.forEach(({ value, max_degree, min_angle, share_of_delaunay: share, exact }, place) => {
+    const isInside = value === "inside";
     let button = rows.children[place];
     if (!button) {
       button = document.createElement("button");
       button.type = "button";
       button.append(...["b", "span", "small"].map((tag) => document.createElement(tag)));
-      button.addEventListener("click", () => choose(Number(button.dataset.degree)));
+      button.addEventListener("click", () => choose(Number(button.dataset.degree) || "inside"));
       rows.append(button);
     }
-    button.dataset.degree = max_degree;
-    button.setAttribute("aria-pressed", String(max_degree === shown));
+    button.dataset.degree = value;
+    button.setAttribute("aria-pressed", String(value === shown));
     const [name, angle, note] = button.children;
-    name.textContent = `degree ${max_degree}`;
+    name.textContent = isInside ? "points inside" : `degree ${max_degree}`;
     angle.textContent = angleText(min_angle);
-    // No mesh has more than all of it.
+    // No mesh of these points has more than all of it.
     const more = exact || share > 0.999 ? "" : " or more";
-    note.textContent = `${percent(share)}${more} of Delaunay’s`;
+    note.textContent = isInside ? `degree ${max_degree}` : `${percent(share)}${more} of Delaunay’s`;
   });
 }

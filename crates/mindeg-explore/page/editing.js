@@ -5,6 +5,7 @@ import { apply, ask } from "./asking.js";
 import { showInterior } from "./choices.js";
 import { addCorner, addHole, corners, isKnown, moveCorner, removeCorner, removeHole, sidePlace } from "./domain.js";
 import { cornerAt, gridStep, sideAt, snapped } from "./editor.js";
+import { listInside } from "./inside.js";
 import { redraw, setCursor, stages } from "./pictures.js";
 import * as server from "./server.js";
 import { domainTrouble, element, showTrouble, showUndo } from "./show.js";
@@ -44,7 +45,15 @@ export function updateEditor() {
   }
   element("remove").disabled = !corner;
   updateHoles();
+  listInside(mark);
   showInterior();
+}
+
+/** Marks places on the pictures. */
+function mark(places) {
+  shown.decides = places;
+  element("pictures").scrollIntoView({ block: "nearest" });
+  redraw();
 }
 
 /** A button for each hole. Those that are right already stay, and keep the focus. */

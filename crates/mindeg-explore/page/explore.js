@@ -2,7 +2,7 @@
 // From the viewer's script: make.
 
 import { apply, ask, begin, keep, progress, undo, worker } from "./asking.js";
-import { chooseDegree, offerGoals, offerInterior, showGoal } from "./choices.js";
+import { chooseDegree, choosePurpose, guessAgain, offerGoals, offerInterior, offerPurposes, showAdvice, showGoal } from "./choices.js";
 import { grab, handleKey, hint, startEditing, updateEditor } from "./editing.js";
 import { fit, fitAnew, isOff, jumpTo, looks, moveTo, readLooks, redraw, resize, setCursor, setFound, stages, zoomBy } from "./pictures.js";
 import * as server from "./server.js";
@@ -12,7 +12,8 @@ import {
 } from "./show.js";
 import { Stage, view } from "./stage.js";
 import { selection, shown, state } from "./state.js";
-import { offerCopy, offerFiles } from "./take.js";
+import { beginSolid, endSolid, startSolid } from "./solid.js";
+import { hand, offerCopy, offerFiles } from "./take.js";
 
 /** Charts are drawn again after so many milliseconds: they are read, not watched. */
 const CHART_PAUSE = 150;
@@ -42,7 +43,15 @@ const take = {
       shown.wantedDegree = mesh.max_degree;
       showCurveNow(chooseDegree);
     }
+    if (mesh.view === "interior") redraw();
     laterCharts();
+  },
+  advice(advice) {
+    shown.advice = advice;
+    showAdvice();
+    showCurveNow(chooseDegree);
+    // Where points inside bring little, they are not what a reader is led to.
+    if (!state.isTold && advice.first !== "solver" && state.view === "interior" && !selection.drag) choosePurpose(advice.first, true);
   },
   curve(curve) {
     shown.curve = curve;
@@ -81,22 +90,26 @@ function laterCharts() {
 
 // ---- controls
 
-/** The second picture shows what is chosen to stand beside the wanted mesh, or goes. */
-function showBeside() {
-  const stage = stages[1];
-  const wanted = state.beside === "none" ? null : state.beside;
+/** The first picture shows the mesh that is taken, the second what is chosen to stand beside it, or it goes. */
+function showViews() {
   element("beside").value = state.beside;
-  element("interior").hidden = state.beside !== "interior";
-  stage.figure.hidden = !wanted;
-  delete shown.meshes[stage.view];
-  if (wanted && stage.view !== wanted) {
-    worker.postMessage({ kind: "rename", from: stage.view, to: wanted });
-    stage.view = wanted;
-    stage.worst = null;
-    stage.figure.querySelector("h3").textContent = NAMES[wanted];
+  for (const option of element("beside").options) option.hidden = option.value === state.view;
+  element("interior").hidden = ![state.view, state.beside].includes("interior");
+  const views = [state.view, state.beside === "none" ? null : state.beside];
+  const before = Object.fromEntries(stages.map(({ view, worst }) => [view, worst]));
+  stages.forEach((stage, place) => {
+    stage.figure.hidden = !views[place];
+    if (stage.view === views[place]) return;
+    stage.view = views[place];
+    stage.worst = before[stage.view] ?? null;
+    const mesh = shown.meshes[stage.view];
+    if (mesh) return showMesh(stage, mesh);
+    stage.figure.querySelector("h3").textContent = NAMES[stage.view] ?? "";
     stage.figure.querySelector(".words-of").textContent = "";
     stage.figure.querySelector(".figures").textContent = "Working …";
-  }
+  });
+  for (const view of Object.keys(shown.meshes)) if (!views.includes(view)) delete shown.meshes[view];
+  worker.postMessage({ kind: "views", views: Object.fromEntries(stages.map(({ id, view }) => [id, view])) });
   resize();
 }
 
@@ -113,7 +126,7 @@ function startControls() {
   });
   element("beside").addEventListener("change", ({ target }) => {
     state.beside = target.value;
-    showBeside();
+    showViews();
     ask();
   });
   element("metric").addEventListener("change", ({ target }) => {
@@ -132,7 +145,7 @@ function startControls() {
   element("fit").addEventListener("click", fit);
   for (const stage of stages) {
     for (const button of stage.figure.querySelectorAll("[data-jump]")) {
-      button.addEventListener("click", () => worker.postMessage({ kind: "jump", name: stage.view, target: button.dataset.jump }));
+      button.addEventListener("click", () => worker.postMessage({ kind: "jump", id: stage.id, target: button.dataset.jump }));
     }
   }
   const decide = (vertices) => {
@@ -154,6 +167,11 @@ async function open(file) {
       throw new Error(`${file.name} has ${Math.ceil(file.size / 2 ** 20)} MB; the page takes ${facts.max_bytes / 2 ** 20}, the command line any number.`);
     }
     const sources = await server.readFile(file);
+    if (sources.some(({ is_solid: isSolid }) => isSolid)) {
+      showTrouble("");
+      return await beginSolid(file);
+    }
+    endSolid();
     const usable = sources.filter(({ domain }) => domain);
     if (!usable.length) throw new Error(sources[0]?.message ?? `${file.name} has no polygon.`);
     showTrouble("");
@@ -173,6 +191,7 @@ async function open(file) {
 
 function beginWith({ domain, notes }) {
   element("presets").value = "";
+  guessAgain();
   begin(domain, notes);
 }
 
@@ -212,7 +231,7 @@ const hooks = (stage) => ({
   moveTo,
   zoomBy: (factor, place) => zoomBy(factor, stage, place),
   fit,
-  ...(stage.view === "wanted" && { grab: (event, place) => grab(stage, event, place), handleKey }),
+  ...(stage.id === "main" && { grab: (event, place) => grab(stage, event, place), handleKey }),
 });
 
 async function start() {
@@ -231,11 +250,12 @@ async function start() {
   for (const figure of document.querySelectorAll(".mesh")) {
     const stage = new Stage(figure, hooks);
     const canvas = stage.mesh.transferControlToOffscreen();
-    worker.postMessage({ kind: "stage", name: stage.view, canvas }, [canvas]);
+    worker.postMessage({ kind: "stage", id: stage.id, canvas }, [canvas]);
     stages.push(stage);
   }
   const { domain: _, ...choices } = kept ?? {};
   Object.assign(state, choices);
+  offerPurposes(showViews);
 
   element("metric").append(...facts.measures.map(({ name, title }) => new Option(title, name)), new Option("nothing", ""));
   element("metric").value = state.color ?? "";
@@ -243,13 +263,17 @@ async function start() {
   element("presets").value = presets.some(({ name }) => name === source.name) ? source.name : "";
   element("presets").addEventListener("change", ({ target }) => {
     const preset = presets.find(({ name }) => name === target.value);
-    if (preset) begin(preset.domain, preset.notes);
+    if (!preset) return;
+    endSolid();
+    guessAgain();
+    begin(preset.domain, preset.notes);
   });
   offerGoals(facts.goals);
   offerInterior(facts.interior);
   startEditing();
   startControls();
   startFiles();
+  startSolid(hand);
   offerCopy();
   offerFiles(facts.formats);
   readLooks();
@@ -259,8 +283,9 @@ async function start() {
   });
   new ResizeObserver(() => resize(false)).observe(element("meshes"));
   showGoal();
-  showBeside();
+  showViews();
   begin(kept?.domain ?? source.domain, kept ? [] : source.notes);
+  if (facts.purpose && !kept) choosePurpose(facts.purpose);
 }
 
 start();

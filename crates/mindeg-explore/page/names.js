@@ -18,7 +18,7 @@ export function namedPlaces({ named_points: points, lines, regions }) {
   ];
 }
 
-/** Draws names that are in sight and do not cover one another; a point has a ring. Returns the names drawn. */
+/** Draws names that are in sight and do not cover one another; a point and a mark have a ring. Returns the names drawn. */
 export function drawNames(context, frame, looks, places) {
   const taken = [];
   const drawn = [];
@@ -30,24 +30,26 @@ export function drawNames(context, frame, looks, places) {
   for (const { kind, name, at } of places) {
     const [x, place] = frame.toScreen(...at);
     if (x < 0 || place < 0 || x > frame.width || place > frame.height) continue;
-    if (kind === "point") {
+    if (kind === "point" || kind === "mark") {
       context.beginPath();
-      context.arc(x, place, 6, 0, 2 * Math.PI);
-      context.strokeStyle = looks.accent;
+      context.arc(x, place, kind === "mark" ? 11 : 6, 0, 2 * Math.PI);
+      context.strokeStyle = kind === "mark" ? looks.mark : looks.accent;
       context.lineWidth = 2.5;
       context.stroke();
     }
-    const y = kind === "point" ? place - HEIGHT - 2 : place;
+    const isAbove = kind === "point" || kind === "mark";
+    const y = isAbove ? place - HEIGHT - (kind === "mark" ? 7 : 2) : place;
     const half = context.measureText(name).width / 2 + 4;
-    const box = [x - half, y - HEIGHT * 0.8, x + half, y + HEIGHT * 0.8];
+    const middle = Math.max(half, Math.min(frame.width - half, x));
+    const box = [middle - half, y - HEIGHT * 0.8, middle + half, y + HEIGHT * 0.8];
     if (taken.some(([left, top, right, bottom]) => box[0] < right && box[2] > left && box[1] < bottom && box[3] > top)) continue;
     taken.push(box);
     drawn.push(name);
     context.strokeStyle = looks.card;
     context.lineWidth = 4;
-    context.strokeText(name, x, y);
-    context.fillStyle = kind === "line" ? looks.accent : looks.text;
-    context.fillText(name, x, y);
+    context.strokeText(name, middle, y);
+    context.fillStyle = kind === "line" ? looks.accent : kind === "mark" ? looks.mark : looks.text;
+    context.fillText(name, middle, y);
   }
   return drawn;
 }

@@ -46,7 +46,7 @@ function askNext() {
   running?.controller.abort();
   const { id, tab, request } = waiting;
   waiting = null;
-  const views = request.show.filter((part) => ["wanted", "least", "delaunay"].includes(part));
+  const views = request.show.filter((part) => ["wanted", "least", "delaunay", "interior"].includes(part));
   running = {
     id, start: performance.now(), domain: null, color: request.color, controller: new AbortController(),
     empty: new Set(views), unfinished: new Set(views), held: new Map(),
@@ -96,7 +96,8 @@ function take(run, line) {
     return reveal(run, line);
   } else if (line.kind === "refused") {
     for (const view of line.part ? [line.part] : [...run.unfinished]) finish(run, view);
-    if (stages.has(line.part)) clear(stages.get(line.part));
+    const stage = stageOf(line.part);
+    if (stage) clear(stage);
   }
   tell(run, line);
 }
@@ -134,7 +135,7 @@ const edges = (segments) => Array.from({ length: segments.length / 4 }, (_, i) =
 
 /** Makes a scene of a mesh and draws it. */
 function show(run, line) {
-  const stage = stages.get(line.view);
+  const stage = stageOf(line.view);
   if (!stage) return;
   const { points, rings, center, lines } = run.domain;
   const inside = unpack(line.interior_points, Float64Array);
@@ -162,6 +163,8 @@ function show(run, line) {
   paint(stage);
 }
 
+const stageOf = (view) => [...stages.values()].find((stage) => stage.view === view);
+
 function clear(stage) {
   Object.assign(stage, { scene: null, painter: null });
   if (stage.frame) stage.frame.start(stage.canvas);
@@ -169,7 +172,7 @@ function clear(stage) {
 
 /** Draws a stage as all of them look now. */
 function paint(stage) {
-  const frame = look?.frames[stage.name];
+  const frame = look?.frames[stage.id];
   if (!frame?.width) return;
   const [width, height] = [frame.width, frame.height].map((length) => Math.round(length * frame.dots));
   if (stage.canvas.width !== width) stage.canvas.width = width;
@@ -191,7 +194,7 @@ function point(place) {
   for (const stage of stages.values()) {
     if (!stage.painter || !stage.frame || !place) continue;
     const at = pick(stage.scene, stage.frame, place.x, place.y);
-    found[stage.name] = { text: describe(stage.scene, stage.measure, at), corners: corners(stage.scene, at) };
+    found[stage.id] = { text: describe(stage.scene, stage.measure, at), corners: corners(stage.scene, at) };
   }
   return found;
 }
@@ -200,16 +203,21 @@ const requests = {
   begin(message) {
     ({ headers, measures } = message);
   },
-  stage({ name, canvas }) {
-    stages.set(name, { name, canvas });
+  stage({ id, canvas }) {
+    stages.set(id, { id, canvas, view: null });
   },
-  /** A stage shows another mesh from now on. */
-  rename({ from, to }) {
-    const stage = stages.get(from);
-    stages.delete(from);
-    stage.name = to;
-    stages.set(to, stage);
-    clear(stage);
+  /** What each stage shows from now on: a mesh that is drawn already goes where it is wanted. */
+  views({ views }) {
+    const drawn = new Map([...stages.values()].map(({ view, scene, measure, painter }) => [view, { scene, measure, painter }]));
+    for (const stage of stages.values()) {
+      if (stage.view === views[stage.id]) continue;
+      stage.view = views[stage.id];
+      const known = drawn.get(stage.view);
+      if (known?.scene) {
+        Object.assign(stage, known);
+        paint(stage);
+      } else clear(stage);
+    }
   },
   ask(message) {
     waiting = message;
@@ -222,8 +230,8 @@ const requests = {
   point({ place }) {
     postMessage({ kind: "found", place, found: point(place) });
   },
-  jump({ name, target }) {
-    const stage = stages.get(name);
+  jump({ id, target }) {
+    const stage = stages.get(id);
     if (!stage?.painter || !stage.frame) return;
     const { worst, maxDegreeVertex } = stage.scene;
     const at = lookAt(stage.scene, stage.frame, target === "worst" ? { triangle: worst } : { vertex: maxDegreeVertex });

@@ -5,7 +5,7 @@ import { worker } from "./asking.js";
 import { drawHandles, indexedSides } from "./editor.js";
 import { drawNames } from "./names.js";
 import { element } from "./show.js";
-import { bounds, isWide, lookAtAll, view, wantsStretch } from "./stage.js";
+import { bounds, isWide, lookAtAll, view, wantsStretchIn } from "./stage.js";
 import { selection, shown, state } from "./state.js";
 
 /** The stage of the wanted mesh, and the one beside it. */
@@ -25,15 +25,17 @@ export function redraw(hasMoved = false) {
   requestAnimationFrame(() => {
     isDrawing = false;
     if (mustPaint) {
-      const frames = Object.fromEntries(stages.map((stage) => [stage.view, stage.size]));
+      const frames = Object.fromEntries(stages.map((stage) => [stage.id, stage.size]));
       const hasDots = element("dots").checked;
       worker.postMessage({ kind: "look", frames, view: { ...view }, size: bounds.size, colors: looks.colors, hasDots });
     }
     mustPaint = false;
     for (const stage of stages) {
-      const context = stage.mark(looks.colors, { cursor, found: found[stage.view], decides: shown.decides });
-      if (context && shown.places.length && element("names").checked) {
-        stage.element.dataset.names = drawNames(context, stage.frame, looks, shown.places).join(", ");
+      const context = stage.mark(looks.colors, { cursor, found: found[stage.id], decides: shown.decides });
+      const marks = (shown.meshes[stage.view]?.marks ?? []).map((mark) => ({ kind: "mark", ...mark }));
+      const places = element("names").checked ? shown.places : [];
+      if (context && marks.length + places.length) {
+        stage.element.dataset.names = drawNames(context, stage.frame, looks, [...marks, ...places]).join(", ");
       } else delete stage.element.dataset.names;
       if (context && stage === stages[0] && shown.domain) {
         const { corner: chosen, drag } = selection;
@@ -53,7 +55,7 @@ export function sideNow() {
 export function readLooks() {
   looks.colors = pageColors();
   const computed = getComputedStyle(document.documentElement);
-  for (const name of ["accent", "card", "text"]) looks[name] = computed.getPropertyValue(`--${name}`).trim();
+  for (const name of ["accent", "card", "text", "mark"]) looks[name] = computed.getPropertyValue(`--${name}`).trim();
   redraw(true);
 }
 
@@ -77,7 +79,7 @@ export function isOff({ center, size }) {
 /** Looks at a domain for the first time. */
 export function fitAnew() {
   lookAtAll(shown.domain);
-  view.stretch = state.stretch ?? wantsStretch();
+  view.stretch = state.stretch ?? wantsStretchIn(element("meshes").clientWidth);
   element("stretch").checked = view.stretch;
   resize();
 }
@@ -117,7 +119,7 @@ export function setCursor(place) {
 export function setFound(place, all) {
   if (place.x !== cursor?.x || place.y !== cursor?.y) return;
   found = all;
-  if (cursor.isSpoken) element("spoken").textContent = found[cursor.from.view]?.text || "No mesh here";
+  if (cursor.isSpoken) element("spoken").textContent = found[cursor.from.id]?.text || "No mesh here";
   redraw();
 }
 

@@ -43,6 +43,20 @@ export async function download(request, format, view, file) {
   return { blob: await response.blob(), name: named?.[1] ?? null };
 }
 
+const solidQuery = (file, change, more) => new URLSearchParams({ name: file.name, change, ...more });
+
+/** The surface in a file after a change. */
+export async function solid(file, change, more) {
+  return (await ask(`/api/solid?${solidQuery(file, change, more)}`, { method: "POST", body: await file.arrayBuffer() })).json();
+}
+
+/** A file of it, as a blob. */
+export async function solidFile(file, change, format, more) {
+  const response = await ask(`/api/solid/file?${solidQuery(file, change, { format, ...more })}`, { method: "POST", body: await file.arrayBuffer() });
+  const named = response.headers.get("Content-Disposition")?.match(/filename="([^"]+)"/);
+  return { blob: await response.blob(), name: named?.[1] ?? null };
+}
+
 /** Keeps a state and puts its name into the address. */
 export async function keepState(name, value) {
   await ask(`/api/state/${name}`, { method: "PUT", body: JSON.stringify(value) });

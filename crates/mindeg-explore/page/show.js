@@ -8,7 +8,7 @@ import { canRedo, canUndo, shown, state } from "./state.js";
 export const element = (id) => document.getElementById(id);
 
 /** What a mesh beside the wanted one is called. */
-export const NAMES = { least: "Least degree", delaunay: "Delaunay", interior: "With points inside" };
+export const NAMES = { wanted: "Without points inside", least: "Least degree", delaunay: "Delaunay", interior: "Points inside" };
 
 /** The degree that the reader asks for, or the one that the mesh of the goal has. */
 const wantedDegree = () => state.goal.max_degree ?? shown.wantedDegree;
@@ -55,15 +55,15 @@ export function showTrouble(message, isOld = false) {
   element("meshes").classList.toggle("old", isOld);
 }
 
-const captionOf = ({ view, max_degree: degree }) => `${NAMES[view]}: ${view === "least" ? "" : "degree "}${degree}`;
+const captionOf = ({ view, max_degree: degree }) => (view === "wanted" ? `Degree ${degree}` : `${NAMES[view]}: ${view === "least" ? "" : "degree "}${degree}`);
 
 /** The figures of a mesh in its caption. */
 export function showMesh(stage, mesh) {
   const { figure } = stage;
-  const isWanted = stage.view === "wanted";
-  figure.querySelector("h3").textContent = isWanted ? `Degree ${mesh.max_degree}` : captionOf(mesh);
+  figure.querySelector("h3").textContent = captionOf(mesh);
   const searching = mesh.is_last ? "" : " …";
   const parts = [make("span", "", "minimum angle "), make("strong", "", angleText(mesh.min_angle) + searching)];
+  element("marks-legend").hidden = !shown.meshes.interior?.marks?.length;
   if (mesh.share_of_delaunay !== null && stage.view !== "delaunay" && stage.view !== "interior") {
     parts.push(make("span", "", ` · ${Number((100 * mesh.share_of_delaunay).toPrecision(3))}% of Delaunay’s`));
   }
@@ -75,7 +75,7 @@ export function showMesh(stage, mesh) {
 function showNoMesh(stage, message) {
   stage.worst = null;
   delete shown.meshes[stage.view];
-  stage.figure.querySelector("h3").textContent = stage.view === "wanted" ? "No such mesh" : NAMES[stage.view];
+  stage.figure.querySelector("h3").textContent = stage.view === "wanted" ? "No such mesh" : `${NAMES[stage.view]}: no mesh`;
   stage.figure.querySelector(".figures").textContent = "";
   stage.figure.querySelector(".words-of").textContent = message;
 }
@@ -95,7 +95,6 @@ export function showPartRefused(stages, part, message) {
     element("curve").replaceChildren();
     element("degrees").replaceChildren();
     element("curve").closest("figure").hidden = true;
-    element("advice").textContent = "Take the mesh that keeps a share of the angle. The degrees are not compared here.";
     element("curve-note").textContent = `Not compared: ${message}.`;
   } else if (part === "degree") element("degree-words").textContent = message;
   else if (part === "limit") element("limit-words").textContent = message;
@@ -107,8 +106,8 @@ export function showCurveNow(choose) {
   const { curve } = shown;
   if (!curve) return;
   element("curve").closest("figure").hidden = false;
-  showCurve(element("curve"), element("degrees"), curve, wantedDegree(), choose);
-  element("advice").textContent = curve.words;
+  const chosen = state.view === "interior" ? "inside" : wantedDegree();
+  showCurve(element("curve"), element("degrees"), curve, shown.advice?.solver, chosen, choose);
   element("curve-note").textContent = curve.open_question ?? "";
 }
 
@@ -150,7 +149,7 @@ export function showSuggestions({ suggestions }, apply) {
 /** Legends and charts of the meshes on screen. */
 export function showCharts(stages, facts, colors) {
   const meshes = stages.map(({ view }) => shown.meshes[view]).filter(Boolean);
-  const name = (mesh) => (mesh.view === "wanted" ? "Your mesh" : NAMES[mesh.view]);
+  const name = (mesh) => (mesh.view === state.view ? "Your mesh" : NAMES[mesh.view]);
   const degrees = [...new Set(meshes.flatMap(({ degree_bars }) => degree_bars.map(([degree]) => degree)))].sort((a, b) => a - b);
   showDegreeLegend(element("degree-legend"), degrees);
   const ranges = rangesOf(degrees);

@@ -18,6 +18,9 @@ const LAWS = {
   parameters: { title: "as given" },
 };
 
+/** What ocean models take a side for. */
+const KINDS = { "": "no kind", open: "open water", land: "mainland", island: "island" };
+
 /** The law of a side, with its number. */
 function lawOf({ spacing }) {
   if (!spacing || spacing === "uniform") return { law: "uniform", value: null };
@@ -66,7 +69,7 @@ export class SidesTable {
         "This boundary is a list of points, which come back as they are: it has no counts. Its points can be dragged, added and removed." }));
       return;
     }
-    const headings = ["Side", "Intervals", "Spacing"].map((text) => make("th", { scope: "col", textContent: text }));
+    const headings = ["Side", "Intervals", "Spacing", "Name and kind"].map((text) => make("th", { scope: "col", textContent: text }));
     const table = make("table", {}, make("thead", {}, make("tr", {}, ...headings)), make("tbody", {}, ...this.rows.map(({ line }) => line)));
     const parts = [make("div", { className: "scroll" }, table)];
     if (this.sides.length > ROWS) {
@@ -89,10 +92,16 @@ export class SidesTable {
     const law = make("select");
     law.append(...Object.entries(LAWS).map(([value, { title }]) => new Option(title, value)));
     const value = make("input", { type: "number", step: "any", className: "count" });
+    const title = make("input", { type: "text", placeholder: "name" });
+    const kind = make("select");
+    kind.append(...Object.entries(KINDS).map(([value, text]) => new Option(text, value)));
     const line = make("tr", {}, make("th", { scope: "row" }, name),
       make("td", {}, make("span", { className: "stepper" }, fewer, intervals, more)),
-      make("td", {}, make("span", { className: "law" }, law, value)));
-    const row = { line, name, intervals, fewer, more, law, value, side: null };
+      make("td", {}, make("span", { className: "law" }, law, value)),
+      make("td", {}, make("span", { className: "law" }, title, kind)));
+    const row = { line, name, intervals, fewer, more, law, value, title, kind, side: null };
+    title.addEventListener("change", () => this.change(row.side, { name: title.value.trim() || undefined }));
+    kind.addEventListener("change", () => this.change(row.side, { kind: kind.value || undefined }));
     name.addEventListener("click", () => this.choose(row.side));
     const count = (wanted) => {
       const intervals = Math.max(1, Math.round(wanted));
@@ -140,6 +149,10 @@ export class SidesTable {
     set(row.intervals, String(side.intervals));
     set(row.law, law);
     set(row.value, value === null ? "" : String(value));
+    set(row.title, told.name ?? "");
+    set(row.kind, told.kind ?? "");
+    row.title.ariaLabel = `Name of ${side.name}`;
+    row.kind.ariaLabel = `Kind of ${side.name}`;
     const { label } = LAWS[law] ?? {};
     row.value.hidden = !label;
     row.law.options[Object.keys(LAWS).indexOf("parameters")].hidden = law !== "parameters";

@@ -1,5 +1,5 @@
 // The picture of a mesh: the worker draws the mesh; what is marked, and the corners, are drawn here.
-// From the viewer's script: Frame, aspectRatio, drawCross, drawnSize, followPointers, isSlender.
+// From the viewer's script: Frame, aspectRatio, drawCross, drawnSize, followPointers, wantsStretch.
 
 /** What all stages share: where they look. The points of a domain have places of their own. */
 export const view = { x: 0, y: 0, zoom: 1, stretch: false };
@@ -17,12 +17,14 @@ export function lookAtAll({ center, size }) {
   Object.assign(view, { x: center[0], y: center[1], zoom: 1 });
 }
 
-export const wantsStretch = () => isSlender(bounds.size);
+export const wantsStretchIn = (width) => wantsStretch(bounds.size, width);
 
 export class Stage {
   constructor(figure, hooks) {
     this.figure = figure;
-    this.view = figure.dataset.view;
+    /** `main` or `beside`; what it shows is its `view`. */
+    this.id = figure.dataset.stage;
+    this.view = null;
     this.element = figure.querySelector(".stage");
     this.frame = new Frame(bounds.size, view);
     [this.mesh, this.overlay] = this.element.querySelectorAll("canvas");

@@ -1,10 +1,16 @@
 // What the reader has chosen, what can be undone, and what the server said last.
 
-/** What a page begins with: the mesh that a reader should probably take, beside the one of least degree. */
+/**
+ * What a page begins with: the mesh that a reader should probably take, with points inside, beside the one of the goal.
+ * `view` is what is looked at first and taken: `interior`, or `wanted` for the goal; `isTold` whether the reader
+ * has said what the mesh is for.
+ */
 export const state = {
   domain: null,
+  view: "interior",
+  isTold: false,
   goal: { keep_angle: 0.95 },
-  beside: "least",
+  beside: "wanted",
   color: "min_angle",
   format: "obj",
   /** Whether pictures are stretched to fill their places; null for what suits the domain. */
@@ -18,7 +24,7 @@ export const state = {
 export const selection = { corner: null, side: null, drag: null, mustFit: true };
 
 /** The last answers; `decides` are places that were asked for, `sourceNotes` tell what a file lost; `places` have names. */
-export const shown = { domain: null, meshes: {}, curve: null, degree: null, limit: null, wantedDegree: null, decides: [], sourceNotes: [], places: [] };
+export const shown = { domain: null, meshes: {}, advice: null, curve: null, degree: null, limit: null, wantedDegree: null, decides: [], sourceNotes: [], places: [] };
 
 const past = [];
 const future = [];

@@ -6,7 +6,7 @@ import { domainTrouble, element, showTrouble } from "./show.js";
 import { state } from "./state.js";
 
 /** Hands a file to the browser, which puts it where downloads go. */
-function hand(blob, name) {
+export function hand(blob, name) {
   const link = document.createElement("a");
   link.href = URL.createObjectURL(blob);
   link.download = name;
@@ -20,6 +20,9 @@ const baseName = () => (state.domain.name ?? "mesh").replace(/[^\p{L}\p{N}._-]+/
 export function offerFiles(formats) {
   const select = element("format");
   select.append(...formats.map(({ name }) => new Option(name.toUpperCase(), name)));
+  // Of a surface, one file is downloaded.
+  element("solid-format").append(...formats.filter(({ files }) => files.length === 1).map(({ name }) => new Option(name.toUpperCase(), name)));
+  element("solid-format").value = "obj";
   const format = () => formats.find(({ name }) => name === select.value);
   const explain = () => {
     const { description, files } = format();
@@ -48,7 +51,7 @@ export function offerFiles(formats) {
     }
     button.disabled = false;
   };
-  element("download").addEventListener("click", (event) => load("wanted", event.currentTarget));
+  element("download").addEventListener("click", (event) => load(state.view, event.currentTarget));
   element("download-beside").addEventListener("click", (event) => load(state.beside, event.currentTarget));
   element("save").addEventListener("click", () => {
     const text = JSON.stringify(state.domain, null, 2) + "\n";

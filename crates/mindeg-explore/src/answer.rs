@@ -4,18 +4,19 @@ use std::time::{Duration, Instant};
 
 use mindeg::exact::trade_off;
 use mindeg::{BoundaryMesh, Domain, Goal, is_by_formula};
+use mindeg_answers::advice::{Advice, AdvisedMesh, Purpose};
 use mindeg_answers::degree::DegreeReport;
 use mindeg_answers::trade_off::TradeOffAnswer;
 use mindeg_mesh::{Cancelled, Progress};
 
-use crate::api::{AnswerLine, CurveShown, DegreeShown, Part, Request, View};
+use crate::api::{AdviceShown, AnswerLine, CurveShown, DegreeShown, Part, Request, View};
 use crate::changes;
 use crate::command::{KnownFiles, command};
 use crate::mesh::Made;
 use crate::shown::{self, Figure};
 
 /// The most boundary vertices of a domain.
-pub const MAX_VERTICES: u32 = 20_000;
+pub const MAX_VERTICES: u32 = 100_000;
 
 type Out<'a> = &'a mut dyn FnMut(&AnswerLine);
 
@@ -57,7 +58,8 @@ pub fn answer(
         }
     };
     out(&AnswerLine::Domain(shown::domain(&domain)));
-    Answering { request: &request, domain: &domain, known, progress, out }.all()?;
+    let made = [None; 3];
+    Answering { request: &request, domain: &domain, known, progress, out, made }.all()?;
     out(&AnswerLine::Done { milliseconds: 1e3 * start.elapsed().as_secs_f64() });
     Ok(())
 }
@@ -99,10 +101,13 @@ struct Answering<'a> {
     known: &'a KnownFiles,
     progress: Progress<'a>,
     out: Out<'a>,
+    /// The figures of the meshes for [`Purpose::ALL`] that were made.
+    made: [Option<AdvisedMesh>; 3],
 }
 
 impl Answering<'_> {
     fn all(mut self) -> Result<(), Cancelled> {
+        self.soon()?;
         self.first_meshes()?;
         let delaunay = if self.shows(Part::Delaunay) || self.shows(Part::Curve) {
             self.mesh(Part::Delaunay, View::Delaunay)?
@@ -112,9 +117,15 @@ impl Answering<'_> {
         if self.shows(Part::Wanted) && self.request.goal != Goal::LeastDegree {
             self.mesh(Part::Wanted, View::Wanted)?;
         }
+        if self.shows(Part::Interior) {
+            self.mesh(Part::Interior, View::Interior)?;
+        }
         if self.shows(Part::Command) {
             let text = command(self.request, self.domain, self.known);
             (self.out)(&AnswerLine::Command { text });
+        }
+        if self.shows(Part::Advice) {
+            self.advice()?;
         }
         if self.shows(Part::Degree) {
             match DegreeReport::of(self.domain, self.progress) {
@@ -131,7 +142,6 @@ impl Answering<'_> {
                     let delaunay_max_degree = delaunay.map(|figure| figure.max_degree());
                     let answer = TradeOffAnswer::of(&found);
                     (self.out)(&AnswerLine::Curve(CurveShown {
-                        words: answer.advice(delaunay_max_degree),
                         open_question: answer.open_question(),
                         delaunay_max_degree,
                         answer,
@@ -140,11 +150,58 @@ impl Answering<'_> {
                 Err(error) => self.refuse(Part::Curve, error.to_string())?,
             }
         }
-        self.changes()?;
-        if self.shows(Part::Interior) {
-            self.mesh(Part::Interior, View::Interior)?;
+        self.changes()
+    }
+
+    /// Where points inside are looked at, the boundary points alone come first: a picture that follows a corner must
+    /// not wait.
+    fn soon(&mut self) -> Result<(), Cancelled> {
+        if self.request.view != View::Interior || !self.shows(Part::Interior) {
+            return Ok(());
         }
+        if let Ok(made) = Made::new(self.domain, self.request, View::Delaunay, self.progress) {
+            let shown = Figure::made(self.domain, &made).shown(View::Interior, false, self.request);
+            (self.out)(&AnswerLine::Mesh(Box::new(shown)));
+        }
+        self.unless_cancelled()
+    }
+
+    /// The advice, for which the meshes that are not there yet are made.
+    fn advice(&mut self) -> Result<(), Cancelled> {
+        for (place, purpose) in Purpose::ALL.into_iter().enumerate() {
+            if self.made[place].is_some() {
+                continue;
+            }
+            let (view, goal) = match purpose.goal() {
+                Some(goal) => (View::Wanted, goal),
+                None => (View::Interior, self.request.goal),
+            };
+            let request = Request { goal, ..self.request.clone() };
+            let made = Made::new(self.domain, &request, view, self.progress);
+            self.unless_cancelled()?;
+            if let Ok(made) = made {
+                self.note(&made);
+            }
+        }
+        let [solver, patch, fewest] = self.made;
+        let advice = Advice::among(solver, patch, fewest);
+        let words = Purpose::ALL.map(|purpose| (purpose, advice.sentence(purpose))).into();
+        (self.out)(&AnswerLine::Advice(AdviceShown { advice, words }));
         Ok(())
+    }
+
+    /// Keeps the figures of a mesh for the advice.
+    fn note(&mut self, made: &Made) {
+        let (purpose, figures) = match made {
+            Made::Interior(found) => (Purpose::Solver, AdvisedMesh::of_interior(&found.report)),
+            Made::Boundary(meshed, goal) => {
+                let purpose = Purpose::ALL.into_iter().find(|it| it.goal() == Some(*goal));
+                let Some(purpose) = purpose else { return };
+                (purpose, AdvisedMesh::of(meshed))
+            }
+            Made::Delaunay(_) => return,
+        };
+        self.made[purpose as usize] = Some(figures);
     }
 
     fn shows(&self, part: Part) -> bool {
@@ -169,7 +226,10 @@ impl Answering<'_> {
             }
         }
         match Made::new(self.domain, self.request, View::Least, self.progress) {
-            Ok(made) => self.least(&Figure::made(self.domain, &made), true, is_last),
+            Ok(made) => {
+                self.note(&made);
+                self.least(&Figure::made(self.domain, &made), true, is_last);
+            }
             Err(message) => {
                 self.refuse(if is_shown { Part::Least } else { Part::Wanted }, message)?;
             }
@@ -193,6 +253,7 @@ impl Answering<'_> {
     fn mesh(&mut self, part: Part, view: View) -> Result<Option<Figure>, Cancelled> {
         match Made::new(self.domain, self.request, view, self.progress) {
             Ok(made) => {
+                self.note(&made);
                 let figure = Figure::made(self.domain, &made);
                 if self.shows(part) {
                     let shown = figure.shown(view, true, self.request);

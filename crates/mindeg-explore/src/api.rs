@@ -12,6 +12,8 @@
 //! | `GET /api/facts` | | [`Facts`]: measures and formats by name, limits |
 //! | `POST /api/answer?tab=ID` | [`Request`] | [`AnswerLine`]s, one JSON object a line, each as soon as it is known |
 //! | `POST /api/read?name=FILE` | a file's bytes | a list of [`Source`]: its polygons, or its one domain |
+//! | `POST /api/solid?name=FILE&change=CHANGE` | a file's bytes | the surface in it, after `nothing`, `remesh`, `fill` or `bridge` |
+//! | `POST /api/solid/file?name=FILE&change=CHANGE&format=NAME` | a file's bytes | the bytes of a file of it |
 //! | `POST /api/download?format=NAME&view=VIEW&file=0` | [`Request`] | the bytes of a file of the mesh |
 //! | `PUT /api/state/ID`, `GET /api/state/ID` | any JSON | kept while the process runs |
 //!
@@ -34,6 +36,7 @@
 
 use mindeg::quality::METRICS;
 use mindeg::{Goal, GoalKind};
+use mindeg_answers::advice::Purpose;
 use mindeg_answers::interior_keys::InteriorKey;
 use mindeg_answers::measures::MeasureFacts;
 use mindeg_files::Format;
@@ -66,7 +69,7 @@ pub struct Request {
     /// The goal of [`View::Wanted`]: `"least_degree"`, or one with a value such as `{"keep_angle": 0.95}`.
     #[serde(default)]
     pub goal: Goal,
-    /// The parts to answer; all but [`Part::Interior`] by default.
+    /// The parts to answer; all but [`Part::Interior`] and [`Part::Advice`] by default.
     #[serde(default = "Part::usual")]
     pub show: Vec<Part>,
     /// The measure of [`Shown::values`]: one of [`Facts::measures`]. Without it there are no values.
@@ -91,6 +94,8 @@ pub struct Source {
     pub notes: Vec<String>,
     /// The reason why it is not a domain.
     pub message: Option<String>,
+    /// Whether the file holds a surface instead, for `/api/solid`.
+    pub is_solid: bool,
 }
 
 /// The facts that the page shows but does not work out.
@@ -108,6 +113,8 @@ pub struct Facts {
     pub max_vertices: u32,
     /// The most bytes of a body.
     pub max_bytes: usize,
+    /// What the mesh is for, if the command line tells.
+    pub purpose: Option<Purpose>,
 }
 
 /// A format to download.

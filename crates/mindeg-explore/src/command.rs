@@ -29,8 +29,21 @@ impl KnownFiles {
     }
 }
 
-/// The stem of the file names of a domain's mesh: its name in small letters, digits and dashes.
-pub(crate) fn file_stem(domain: &Domain) -> String {
+/// The stem of the file names of a mesh: the domain's name in small letters, digits and dashes, and which mesh it is.
+pub(crate) fn file_stem(domain: &Domain, view: View, goal: Goal) -> String {
+    let which = match (view, goal) {
+        (View::Interior, _) => "points-inside".to_owned(),
+        (View::Delaunay, _) => "delaunay".to_owned(),
+        (View::Least, _) | (View::Wanted, Goal::LeastDegree) => "least-degree".to_owned(),
+        (View::Wanted, Goal::MaxDegree(limit)) => format!("degree-{limit}"),
+        (View::Wanted, Goal::KeepAngle(share)) => format!("keep-angle-{:.0}", 100.0 * share),
+        (View::Wanted, Goal::Optimize(_)) => "least-degree-optimized".to_owned(),
+    };
+    format!("{}-{which}", domain_stem(domain))
+}
+
+/// A domain's name in small letters, digits and dashes.
+fn domain_stem(domain: &Domain) -> String {
     let name = domain.name().unwrap_or_default();
     let words = name.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
     let stem = words.map(str::to_ascii_lowercase).collect::<Vec<_>>().join("-");
@@ -46,9 +59,10 @@ pub(crate) fn command(request: &Request, domain: &Domain, known: &KnownFiles) ->
         Some(path) => shell_word(path),
         None => "-".to_owned(),
     };
-    let stem = file_stem(domain);
+    let stem = file_stem(domain, request.view, request.goal);
     let mut words = vec!["mindeg".to_owned()];
     if request.view == View::Delaunay {
+        let stem = domain_stem(domain);
         let folder = format!("{stem}-compared");
         words.extend(["compare".to_owned(), input, "-o".to_owned(), format!("{stem}.html")]);
         words.extend(["--save-meshes".to_owned(), folder]);
@@ -106,13 +120,15 @@ mod tests {
             format!(r#"{{"domain": {text}, "goal": {{"keep_angle": 0.95}}, "format": "fort14"}}"#);
         assert_eq!(
             command(body.clone(), &KnownFiles::default()),
-            format!("mindeg mesh - --keep-angle 95% -o a-b-c.14 <<'END'\n{text}\nEND")
+            format!(
+                "mindeg mesh - --keep-angle 95% -o a-b-c-keep-angle-95.14 <<'END'\n{text}\nEND"
+            )
         );
         let mut known = KnownFiles::default();
         known.add("my plate.json", &text.replace("0.5", "0.50"));
         assert_eq!(
             command(body, &known),
-            "mindeg mesh 'my plate.json' --keep-angle 95% -o a-b-c.14"
+            "mindeg mesh 'my plate.json' --keep-angle 95% -o a-b-c-keep-angle-95.14"
         );
     }
 
@@ -123,7 +139,7 @@ mod tests {
         known.add("-o.json", text);
         let request = serde_json::from_str(&format!(r#"{{"domain": {text}}}"#)).unwrap();
         let command = command(&request, &Domain::from_json(text).unwrap(), &known);
-        assert_eq!(command, "mindeg mesh ./-o.json -o mesh.obj");
+        assert_eq!(command, "mindeg mesh ./-o.json -o mesh-least-degree.obj");
     }
 
     /// `mindeg mesh` writes no mesh that misses a demand, but the page shows one.

@@ -35,12 +35,14 @@ pub(crate) fn download(
         AnswerLine::Refused { message, .. } => message,
         _ => String::new(),
     })?;
-    let path = PathBuf::from(format!("{}.{}", file_stem(&domain), format.extension()));
+    let view = view.unwrap_or(request.view);
+    let stem = file_stem(&domain, view, request.goal);
+    let path = PathBuf::from(format!("{stem}.{}", format.extension()));
     let names: Vec<String> =
         format.files(&path).iter().map(|path| path.display().to_string()).collect();
     let name = names.get(file).cloned();
     let name = name.ok_or_else(|| format!("this format has {} files", names.len()))?;
-    let made = Made::new(&domain, &request, view.unwrap_or(request.view), progress)?;
+    let made = Made::new(&domain, &request, view, progress)?;
     let mesh = made.mesh();
     let written = || {
         let writer = Writer::new(format, WriteOptions::default(), mesh, mesh.triangle_count())?;

@@ -24,6 +24,7 @@ pub(crate) fn named(name: &str) -> Option<File> {
         "explore.css" => {
             Some(File { kind: CSS, text: Cow::Borrowed(include_str!("../page/explore.css")) })
         }
+        "space.js" => script(mindeg_compare::space_script()),
         "viewer.js" => Some(File { kind: SCRIPT, text: mindeg_compare::viewer_script().into() }),
         "asking.js" => script(include_str!("../page/asking.js")),
         "choices.js" => script(include_str!("../page/choices.js")),
@@ -32,12 +33,14 @@ pub(crate) fn named(name: &str) -> Option<File> {
         "editing.js" => script(include_str!("../page/editing.js")),
         "editor.js" => script(include_str!("../page/editor.js")),
         "explore.js" => script(include_str!("../page/explore.js")),
+        "inside.js" => script(include_str!("../page/inside.js")),
         "names.js" => script(include_str!("../page/names.js")),
         "painter.js" => script(include_str!("../page/painter.js")),
         "pictures.js" => script(include_str!("../page/pictures.js")),
         "server.js" => script(include_str!("../page/server.js")),
         "show.js" => script(include_str!("../page/show.js")),
         "sides.js" => script(include_str!("../page/sides.js")),
+        "solid.js" => script(include_str!("../page/solid.js")),
         "stage.js" => script(include_str!("../page/stage.js")),
         "state.js" => script(include_str!("../page/state.js")),
         "take.js" => script(include_str!("../page/take.js")),

@@ -1,5 +1,6 @@
 //! The lines of an answer, in JSON.
 
+use mindeg_answers::advice::{Advice, Purpose};
 use mindeg_answers::degree::DegreeReport;
 use mindeg_answers::limit::LimitAnswer;
 use mindeg_answers::trade_off::TradeOffAnswer;
@@ -22,6 +23,8 @@ pub enum AnswerLine {
     Limit(LimitShown),
     /// The trade-off: the minimum angle of every degree.
     Curve(CurveShown),
+    /// The meshes to take by what they are for.
+    Advice(AdviceShown),
     /// Changes that bring a smaller degree or a larger angle.
     Suggestions {
         /// The least change first.
@@ -149,6 +152,8 @@ pub struct Shown {
     pub worst_triangle: u32,
     /// The first vertex with the greatest degree.
     pub max_degree_vertex: u32,
+    /// The places that decide the angle or break a degree limit, with what is so there.
+    pub marks: Vec<PlaceShown>,
 }
 
 /// A histogram of a measure.
@@ -197,6 +202,16 @@ pub struct LimitShown {
     pub sides: Vec<usize>,
 }
 
+/// The meshes to take, with their words.
+#[derive(Clone, Debug, Serialize)]
+pub struct AdviceShown {
+    /// The same keys as in `mindeg tradeoff --json`.
+    #[serde(flatten)]
+    pub advice: Advice,
+    /// The sentence for each purpose, in the order of [`Purpose::ALL`].
+    pub words: Vec<(Purpose, String)>,
+}
+
 /// The largest minimum angle for every maximum degree, with its words.
 #[derive(Clone, Debug, Serialize)]
 pub struct CurveShown {
@@ -205,8 +220,6 @@ pub struct CurveShown {
     pub answer: TradeOffAnswer,
     /// The maximum degree of a Delaunay triangulation.
     pub delaunay_max_degree: Option<u32>,
-    /// The advised degree and the reason, in a sentence.
-    pub words: String,
     /// The unproven points, in a sentence.
     pub open_question: Option<&'static str>,
 }

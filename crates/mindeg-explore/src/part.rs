@@ -29,6 +29,8 @@ pub enum Part {
     Delaunay,
     /// The mesh with interior points.
     Interior,
+    /// The meshes to take by what they are for.
+    Advice,
     /// The degree in words, with what proves it.
     Degree,
     /// The limit of the minimum angle with interior points.
@@ -42,7 +44,7 @@ pub enum Part {
 }
 
 impl Part {
-    /// All but the mesh with interior points.
+    /// All but the mesh with interior points and the advice, which needs it.
     pub(crate) fn usual() -> Vec<Self> {
         use Part::*;
         vec![Wanted, Least, Delaunay, Degree, Limit, Curve, Suggestions, Command]

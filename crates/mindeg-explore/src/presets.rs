@@ -38,6 +38,7 @@ pub fn presets() -> Vec<Source> {
         domain: RawValue::from_string(text.to_owned()).ok(),
         notes: Vec::new(),
         message: None,
+        is_solid: false,
     };
     PRESETS.iter().map(preset).collect()
 }

@@ -29,7 +29,17 @@ const MOST: usize = 200;
 pub fn sources(session: &Session, input: &Input<'_>) -> Result<Vec<Source>, FileError> {
     let name = input.name();
     let content = session.open(input, Wanted::Domain, &ReadOptions::default(), Progress::NONE);
-    let mut polygons = match content? {
+    let content = match content {
+        Ok(content) => content,
+        Err(error) => {
+            // A file with faces, of a format that may hold outlines, too.
+            return match session.mesh(input, None, Progress::NONE) {
+                Ok(_) => Ok(vec![solid(name)]),
+                Err(_) => Err(error),
+            };
+        }
+    };
+    let mut polygons = match content {
         Content::Polygons(polygons) => polygons,
         Content::Domain(text) | Content::Model(text) => {
             let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
@@ -37,17 +47,22 @@ pub fn sources(session: &Session, input: &Input<'_>) -> Result<Vec<Source>, File
                 .map_err(|error| FileError::wrong(format!("{name}: {error}")))?;
             let name = domain.name().unwrap_or(&name).to_owned();
             let domain = RawValue::from_string(text.trim().to_owned()).ok();
-            return Ok(vec![Source { name, domain, notes: Vec::new(), message: None }]);
+            let notes = Vec::new();
+            return Ok(vec![Source { name, domain, notes, message: None, is_solid: false }]);
         }
-        Content::Mesh(_) => {
-            return Err(FileError::wrong(format!("{name}: it is a mesh; a domain is expected")));
-        }
+        Content::Mesh(_) => return Ok(vec![solid(name)]),
     };
     let count = polygons.polygons.len();
     if count > MOST {
         polygons.notes.push(format!("The first {MOST} of {count} polygons are given."));
     }
     Ok(polygons.polygons.iter().take(MOST).map(|polygon| source(&polygons, polygon)).collect())
+}
+
+/// A file that holds a surface.
+fn solid(name: String) -> Source {
+    let message = Some("it is a mesh; a domain is expected".to_owned());
+    Source { name, domain: None, notes: Vec::new(), message, is_solid: true }
 }
 
 fn source(polygons: &PolygonFile, polygon: &Polygon) -> Source {
@@ -62,9 +77,11 @@ fn source(polygons: &PolygonFile, polygon: &Polygon) -> Source {
     match domain {
         Ok(domain) => {
             let domain = RawValue::from_string(domain.to_json()).ok();
-            Source { name, domain, notes, message: None }
+            Source { name, domain, notes, message: None, is_solid: false }
         }
-        Err(message) => Source { name, domain: None, notes, message: Some(message) },
+        Err(message) => {
+            Source { name, domain: None, notes, message: Some(message), is_solid: false }
+        }
     }
 }
 
@@ -106,7 +123,7 @@ mod tests {
         assert_eq!(outline(MAX_VERTICES).message, None);
         assert_eq!(
             outline(MAX_VERTICES + 1).message.as_deref(),
-            Some("the outline has 20001 points; the page takes up to 20000")
+            Some("the outline has 100001 points; the page takes up to 100000")
         );
     }
 }

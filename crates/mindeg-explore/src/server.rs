@@ -11,6 +11,7 @@ use axum::{Extension, Router};
 use hyper::server::conn::http1;
 use hyper_util::rt::{TokioIo, TokioTimer};
 use hyper_util::service::TowerToHyperService;
+use mindeg_answers::advice::Purpose;
 use tokio::net::TcpListener;
 use tokio::sync::Semaphore;
 use tokio::time::timeout;
@@ -45,6 +46,8 @@ pub struct Setup {
     pub start: Option<Source>,
     /// Files that the page's commands may name.
     pub known: KnownFiles,
+    /// What the mesh is for, if that is known.
+    pub purpose: Option<Purpose>,
 }
 
 /// Why a server does not start, or ends.
@@ -91,7 +94,7 @@ impl Server {
         let listener = bound.map_err(|error| ServerError::Listen { port, error })?;
         let address = listener.local_addr()?;
         let guard = Guard { port: address.port(), token: token()? };
-        let all = Arc::new(All::new(guard, setup.start, setup.known)?);
+        let all = Arc::new(All::new(guard, setup.start, setup.known, setup.purpose)?);
         Ok(Self { runtime, listener, address, all })
     }
 

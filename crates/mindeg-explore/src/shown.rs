@@ -1,11 +1,12 @@
 //! Domains and meshes as the page draws them.
 
 use mindeg::glam::DVec2;
+use mindeg::interior::{Cause, InteriorMesh};
 use mindeg::quality::{DegreeHistogram, Distribution, METRICS, Metric, TriangleQuality};
 use mindeg::{BoundaryMesh, Domain, Line, Region, TriMesh};
 use mindeg_answers::interior::{angles_and_degrees, local_limits};
 use mindeg_answers::mesh as words;
-use mindeg_answers::numbers::steady_angle;
+use mindeg_answers::numbers::{percent, steady_angle};
 use mindeg_answers::sizes::coarse_sides;
 use mindeg_compare::axis::{Axis, BARS};
 use mindeg_mesh::LineKind;
@@ -14,6 +15,9 @@ use mindeg_mesh::planar::PlanarBoundary;
 use crate::api::{Bars, DomainShown, LineShown, PlaceShown, Request, Shown, SideShown, View};
 use crate::arrays::{f32s, f64s, u32s};
 use crate::mesh::Made;
+
+/// The most vertices of a wrong degree that are marked.
+const MOST_MARKS: usize = 100;
 
 /// The middle and the extent of a boundary.
 #[derive(Clone, Copy)]
@@ -115,6 +119,7 @@ pub(crate) struct Figure {
     at_least: Option<u32>,
     delaunay_min_angle: Option<f64>,
     words: String,
+    marks: Vec<PlaceShown>,
 }
 
 impl Figure {
@@ -136,6 +141,7 @@ impl Figure {
             at_least: None,
             delaunay_min_angle: None,
             words: String::new(),
+            marks: Vec::new(),
         }
     }
 
@@ -172,7 +178,7 @@ impl Figure {
                     local_limits(report),
                 );
                 words.extend(coarse_sides(found).map(|sides| format!(" {sides}")));
-                Self { words, ..figure }
+                Self { words, marks: marks(domain, found), ..figure }
             }
         }
     }
@@ -204,6 +210,7 @@ impl Figure {
             at_least: None,
             delaunay_min_angle: None,
             words: String::new(),
+            marks: Vec::new(),
         }
     }
 
@@ -262,6 +269,7 @@ impl Figure {
             bars: measure.and_then(|measure| self.bars(measure)),
             worst_triangle: worst as u32,
             max_degree_vertex: first_of_max.unwrap_or(0) as u32,
+            marks: self.marks.clone(),
         }
     }
 
@@ -275,6 +283,30 @@ impl Figure {
         let Axis { range, is_logarithmic } = axis;
         Some(Bars { measure, range, is_logarithmic, counts, min, median, mean, max })
     }
+}
+
+/// The places of a mesh with points inside that decide its angle, lose most of it, or break a degree limit.
+fn marks(domain: &Domain, found: &InteriorMesh) -> Vec<PlaceShown> {
+    let InteriorMesh { report, limit, .. } = found;
+    let at = |vertex: u32| domain.placement().point(vertex).to_array();
+    let place = |name: String, at| PlaceShown { name, at };
+    let decides = match &limit.cause {
+        Cause::Corner { vertex, .. } | Cause::Vertex { vertex, .. } => vec![*vertex],
+        Cause::Facing { vertices, .. } => vertices.to_vec(),
+    };
+    let boundary = domain.rings().vertex_count();
+    let decides = decides.into_iter().filter(|&vertex| vertex < boundary);
+    let mut marks: Vec<PlaceShown> = decides
+        .map(|vertex| place(format!("limit {}", steady_angle(limit.min_angle)), at(vertex)))
+        .collect();
+    if report.local.worst < 0.9995 {
+        let share = percent(report.local.worst);
+        let own = steady_angle(report.local.limit);
+        marks.push(place(format!("{share} of its limit, {own}"), report.local.at.to_array()));
+    }
+    let violations = report.violations.iter().take(MOST_MARKS);
+    marks.extend(violations.map(|it| place(format!("degree {}", it.degree), it.at.to_array())));
+    marks
 }
 
 /// The axis of a measure.

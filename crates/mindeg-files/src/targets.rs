@@ -148,6 +148,12 @@ impl<'a> Targets<'a> {
         files.map(|path| path.display().to_string()).collect()
     }
 
+    /// The format of the first.
+    #[must_use]
+    pub fn first_format(&self) -> Option<Format> {
+        self.targets.first().map(|target| target.format)
+    }
+
     /// Opens the files.
     ///
     /// # Errors

@@ -12,25 +12,21 @@ use mindeg_mesh::Progress;
 
 use crate::boundary_mesh::BoundaryMesh;
 use crate::error::MeshError;
-use crate::exact::{self, ExactMesh};
+use crate::exact;
 use crate::keep_angle::keep_angle;
 use crate::map;
-use crate::meshed::{FoundBy, HigherDegree, Meshed};
+use crate::meshed::{FoundBy, Meshed};
 use crate::posed::Posed;
 use crate::searched::{Searched, with_larger_angle};
 use crate::windowed::{SHARES, within};
 
 /// Up to this many chords between different sides, times the least maximum degree, the search for the
-/// best mesh of least degree, and of one and two degrees more, takes less than about half a second on
-/// one core.
+/// best mesh of least degree takes less than about half a second on one core.
 const LITTLE_WORK: u64 = 150_000;
 
 /// Up to this many triples of vertices that see each other, the same search takes about as long on a
 /// polygon that is not convex.
 const FEW_TRIPLES: u64 = 1_000_000;
-
-/// How many times the minimum angle a higher degree must bring to be worth a hint.
-const MUCH: f64 = 1.5;
 
 /// The goal of a mesh.
 ///
@@ -278,18 +274,11 @@ fn least_degree(domain: &Domain, progress: Progress<'_>) -> Result<Meshed, MeshE
 
 /// The mesh of least degree with the largest minimum angle.
 fn best_of_least_degree(posed: &Posed<'_>, progress: Progress<'_>) -> Result<Meshed, MeshError> {
-    let mut tried = 0;
-    let is_third = |_, _| {
-        tried += 1;
-        tried == 3
-    };
-    let trade_off = exact::exact_trade_off(posed, is_third, progress)?;
-    let [least, higher @ ..] = trade_off.meshes() else { return formula(posed.domain(), progress) };
-    let is_much = |exact: &&ExactMesh| exact.min_angle >= MUCH * least.min_angle;
-    let hint =
-        |&ExactMesh { max_degree, min_angle, .. }: &_| HigherDegree { max_degree, min_angle };
-    let higher_degree = higher.iter().find(is_much).map(hint);
-    Ok(Meshed { higher_degree, ..trade_off.meshed(0) })
+    let trade_off = exact::exact_trade_off(posed, |_, _| true, progress)?;
+    if trade_off.meshes().is_empty() {
+        return formula(posed.domain(), progress);
+    }
+    Ok(trade_off.meshed(0))
 }
 
 /// The mesh of the least degree that is found, with an angle that costs little to find.
@@ -304,7 +293,6 @@ fn degree_first(posed: &Posed<'_>, progress: Progress<'_>) -> Result<Meshed, Mes
         is_least_proven: range.is_proven(),
         found_by,
         delaunay_min_angle: posed.delaunay_min_angle,
-        higher_degree: None,
     };
     if let Reached::Search | Reached::Strip | Reached::Descent = range.reached_by {
         let (triangles, found_by) = with_larger_angle(posed, &range, progress)?;
@@ -335,7 +323,6 @@ fn formula(domain: &Domain, progress: Progress<'_>) -> Result<Meshed, MeshError>
         is_least_proven: true,
         found_by: FoundBy::Formula,
         delaunay_min_angle: None,
-        higher_degree: None,
     })
 }
 
@@ -353,7 +340,6 @@ fn max_degree(domain: &Domain, limit: u32, progress: Progress<'_>) -> Result<Mes
             is_least_proven: answer.least_max_degree().is_some(),
             found_by: FoundBy::Search,
             delaunay_min_angle: posed.delaunay_min_angle,
-            higher_degree: None,
         });
     }
     if let Some(searched) = Searched::new(&posed, progress)? {

@@ -68,7 +68,7 @@ pub use error::MeshError;
 pub use glam;
 pub use goal::{GOALS, Goal, GoalKind, GoalValue, Optimized, is_by_formula, mesh};
 pub use loops::{LoopDefect, Loops, MeshLoop};
-pub use meshed::{FoundBy, HigherDegree, Meshed};
+pub use meshed::{FoundBy, Meshed};
 pub use mindeg_domain::*;
 pub use mindeg_mesh::{
     Bounds, Cancelled, Group, Line, Material, Mesh, Positions, Progress, Step, TriMesh,

@@ -57,7 +57,6 @@ impl MapMesh {
             is_least_proven: self.at_least == self.max_degree(),
             found_by: FoundBy::Windows { share },
             delaunay_min_angle: Some(self.delaunay_min_angle),
-            higher_degree: None,
             mesh: self.mesh,
         }
     }

@@ -39,15 +39,4 @@ pub struct Meshed {
     pub found_by: FoundBy,
     /// The minimum angle of a Delaunay triangulation, in degrees, if that was worked out.
     pub delaunay_min_angle: Option<f64>,
-    /// The gain from one or two degrees more, if it is large.
-    pub higher_degree: Option<HigherDegree>,
-}
-
-/// The gain from a higher degree limit.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct HigherDegree {
-    /// The limit.
-    pub max_degree: u32,
-    /// The largest minimum angle within it, in degrees.
-    pub min_angle: f64,
 }

@@ -99,7 +99,6 @@ impl<'p, 'd> Searched<'p, 'd> {
             is_least_proven: self.range.is_proven(),
             found_by: if is_proven { FoundBy::Search } else { FoundBy::Windows { share } },
             delaunay_min_angle: self.posed.delaunay_min_angle,
-            higher_degree: None,
         }
     }
 

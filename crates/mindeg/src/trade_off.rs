@@ -86,7 +86,6 @@ impl TradeOff {
             is_least_proven: true,
             found_by: FoundBy::Search,
             delaunay_min_angle: Some(self.delaunay_min_angle),
-            higher_degree: None,
         }
     }
 }

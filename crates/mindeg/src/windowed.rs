@@ -49,6 +49,5 @@ pub(crate) fn windowed(
         least_max_degree,
         found_by: FoundBy::Windows { share },
         delaunay_min_angle: posed.delaunay_min_angle,
-        higher_degree: None,
     })
 }

@@ -2,6 +2,7 @@
 
 use super::demands::DemandArguments;
 use super::domain::DomainOptions;
+use super::purpose::PurposeArgument;
 use super::with_exit_codes;
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
@@ -28,6 +29,9 @@ pub(crate) struct CompareArguments {
     #[command(flatten)]
     pub(crate) options: DomainOptions,
 
+    #[command(flatten)]
+    pub(crate) purpose: PurposeArgument,
+
     /// Where to write the report, by extension .html, .json or .md; - is standard output. May be
     /// given several times. A folder takes an HTML report for each domain and an index page;
     /// several domains need one
@@ -43,7 +47,8 @@ pub(crate) struct CompareArguments {
     #[arg(long, value_name = "FOLDER")]
     pub(crate) save_meshes: Option<PathBuf>,
 
-    /// Also mesh with interior points, and compare with a Delaunay refinement of the same boundary
+    /// Also compare the mesh with points inside with a Delaunay refinement of the same boundary, also on domains of more
+    /// than 1000 boundary points
     #[arg(long)]
     pub(crate) interior: bool,
 

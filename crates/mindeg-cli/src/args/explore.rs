@@ -1,5 +1,6 @@
 //! `mindeg explore`.
 
+use super::purpose::PurposeArgument;
 use super::with_exit_codes;
 use clap::Args;
 use std::path::PathBuf;
@@ -22,6 +23,9 @@ pub(crate) struct ExploreArguments {
     /// boundary-layer channel
     #[arg(value_name = "DOMAIN")]
     pub(crate) domain: Option<PathBuf>,
+
+    #[command(flatten)]
+    pub(crate) purpose: PurposeArgument,
 
     /// The port to listen on; by default any that is free
     #[arg(long, value_name = "PORT", value_parser = clap::value_parser!(u16).range(1..))]

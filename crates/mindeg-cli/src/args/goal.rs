@@ -1,20 +1,30 @@
 //! The goal of a domain's mesh: an option for each row of [`GOALS`].
 
+use super::purpose;
 use clap::builder::{PossibleValuesParser, TypedValueParser, ValueParser};
 use clap::error::{Error, ErrorKind};
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};
 use mindeg::{GOALS, Goal, GoalKind, GoalValue};
+use mindeg_answers::advice::Purpose;
 
 /// The goals that are given, in the order of the table; by default, the least maximum degree.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct GoalArguments {
     given: Vec<Goal>,
+    /// What the mesh is for, if that is told in place of a goal.
+    pub(crate) purpose: Option<Purpose>,
 }
 
 impl GoalArguments {
     /// The goal that decides.
     pub(crate) fn goal(&self) -> Goal {
-        self.given.first().copied().unwrap_or_default()
+        let of_purpose = self.purpose.and_then(Purpose::goal);
+        self.given.first().copied().or(of_purpose).unwrap_or_default()
+    }
+
+    /// Whether neither a goal nor a purpose is given.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.given.is_empty() && self.purpose.is_none()
     }
 
     /// The maximum degree that is demanded.
@@ -68,7 +78,8 @@ fn option(kind: &'static GoalKind) -> Arg {
 
 impl Args for GoalArguments {
     fn augment_args(command: Command) -> Command {
-        command.args(Self::all().map(option))
+        let goals = Self::all().filter(|kind| !is_demand(kind)).map(|kind| kind.key);
+        command.arg(purpose::option().conflicts_with_all(goals)).args(Self::all().map(option))
     }
 
     fn augment_args_for_update(command: Command) -> Command {
@@ -89,7 +100,8 @@ impl FromArgMatches for GoalArguments {
                 given.push(kind.read("").map_err(|error| wrong(&error))?);
             }
         }
-        Ok(Self { given })
+        let purpose = matches.try_get_one::<Purpose>(purpose::ID).ok().flatten().copied();
+        Ok(Self { given, purpose })
     }
 
     fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), Error> {

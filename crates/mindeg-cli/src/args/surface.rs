@@ -15,6 +15,10 @@ pub(crate) struct SurfaceArguments {
     #[arg(short, long, value_name = "FILE", required = true)]
     pub(crate) output: Vec<PathBuf>,
 
+    /// Show the mesh in a browser when it is written
+    #[arg(long)]
+    pub(crate) open: bool,
+
     /// The format where the extension does not tell it; mindeg formats lists the names
     #[arg(long, value_name = "FORMAT", value_parser = format_parser(Format::WRITTEN), hide_possible_values = true)]
     pub(crate) format: Option<Format>,

@@ -1,6 +1,7 @@
 //! `mindeg tradeoff`.
 
 use super::domain::DomainArguments;
+use super::purpose::PurposeArgument;
 use super::values::whole_number;
 use super::with_exit_codes;
 use clap::Args;
@@ -24,6 +25,9 @@ pub(crate) struct TradeoffArguments {
     #[command(flatten)]
     pub(crate) domain: DomainArguments,
 
+    #[command(flatten)]
+    pub(crate) purpose: PurposeArgument,
+
     /// Where to write a report with the curve and the meshes, by extension .html or .svg, or the
     /// figures, .json; may be given several times
     #[arg(short, long, value_name = "FILE")]
@@ -35,7 +39,7 @@ pub(crate) struct TradeoffArguments {
     pub(crate) limit: u32,
 
     /// Print JSON instead of a table: points, a list of max_degree, min_angle,
-    /// share_of_delaunay and exact, all of them; delaunay_min_angle; and advised
+    /// share_of_delaunay and exact, all of them; delaunay_min_angle; advised, the degree for a patch; and advice
     #[arg(long)]
     pub(crate) json: bool,
 

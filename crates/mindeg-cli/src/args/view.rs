@@ -16,8 +16,8 @@ Examples:
 /// Show a mesh of any program, or the mesh of a domain, as an HTML page with its figures
 ///
 /// The page is one file that opens without a network. In it the mesh can be moved, zoomed and
-/// pointed at, and colored by degree and by any measure of its triangles. A mesh in space is shown as
-/// a projection along an axis. A domain is meshed as by mindeg mesh.
+/// pointed at, and colored by degree and by any measure of its triangles. A mesh in space is turned. A domain is
+/// meshed as by mindeg mesh.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES, after_long_help = with_exit_codes(EXAMPLES))]
 pub(crate) struct ViewArguments {
@@ -34,6 +34,10 @@ pub(crate) struct ViewArguments {
 
     #[command(flatten)]
     pub(crate) goal: GoalArguments,
+
+    /// Put points inside, as mindeg mesh --interior does
+    #[arg(long, help_heading = "Goals")]
+    pub(crate) interior: bool,
 
     /// Where to write the page, which ends in .html; - is standard output
     #[arg(short, long, value_name = "FILE")]

@@ -13,7 +13,7 @@ use mindeg_mesh::TriMesh;
 pub(super) fn check(demands: &Demands, comparison: &Comparison) -> Result<(), Failure> {
     let Some((figures, triangles)) = comparison.methods().next() else { return Ok(()) };
     let Some(min_angle) = figures.min_angle else { return Ok(()) };
-    let points = comparison.points().iter().map(|point| point.extend(0.0)).collect();
+    let points = comparison.points(figures.method).iter().map(|point| point.extend(0.0)).collect();
     let mesh = TriMesh::new(points, triangles.to_vec());
     let mesh = mesh.map_err(Failure::input)?;
     met(&demands.unmet_by(&mesh, min_angle))

@@ -18,7 +18,8 @@ pub(super) fn save(
     let mut files = Vec::new();
     for (method, triangles) in comparison.methods().filter(|(_, list)| !list.is_empty()) {
         let path = folder.join(format!("{}.obj", file_stem(&method.method.to_string())));
-        let points = comparison.points().iter().map(|point| point.extend(0.0)).collect();
+        let points =
+            comparison.points(method.method).iter().map(|point| point.extend(0.0)).collect();
         let mesh = TriMesh::new(points, triangles.to_vec())
             .map_err(|error| Failure::Input(format!("{}: {error}", method.method)))?
             .named(method.method.to_string());

@@ -9,6 +9,7 @@ use crate::interrupt::SESSION;
 use crate::making::Making;
 use mindeg::interior::{self, InteriorError, InteriorMesh};
 use mindeg::{Domain, Interior, Size};
+use mindeg_answers::advice::Purpose;
 use mindeg_answers::interior::{
     InteriorAnswer, angles_and_degrees, corners, grading, local_limits, unmet_degrees, violations,
 };
@@ -50,11 +51,17 @@ pub(super) fn wanted(
     domain: &Domain,
 ) -> Result<Option<Interior>, Failure> {
     let options = &arguments.interior;
-    let is_wanted = options.interior || domain.interior().is_some() && !options.no_interior;
+    let purpose = arguments.goal.purpose;
+    let in_file = domain.interior().is_some() && !options.no_interior && purpose.is_none();
+    let is_wanted = options.interior || in_file || purpose == Some(Purpose::Solver);
     if !is_wanted {
         return refuse_options(arguments).map(|()| None);
     }
-    let from = if options.interior { "--interior" } else { "\"interior\" in the domain's file" };
+    let from = match (options.interior, purpose) {
+        (true, _) => "--interior",
+        (_, Some(_)) => "--for solver",
+        (_, None) => "\"interior\" in the domain's file",
+    };
     arguments.refuse_goals_with_interior(from)?;
     with_sizes(arguments, domain.interior()).map(Some)
 }

@@ -4,8 +4,10 @@ const data = JSON.parse(document.getElementById("data").textContent);
 const DEGREE_COLORS = data.degree_colors;
 
 const points = unpack(data.points, Float64Array);
+const positions = data.positions ? unpack(data.positions, Float32Array) : null;
 const outlines = data.outlines.map((outline) => unpack(outline, Float64Array));
 const vertexNumbers = data.vertices ? unpack(data.vertices, Uint32Array) : null;
+const least = Math.min(...data.methods.map(({ vertices }) => vertices).filter(Boolean));
 const methods = data.methods.map((method) => ({
   name: method.name,
   bars: method.bars,
@@ -16,10 +18,13 @@ const methods = data.methods.map((method) => ({
   numbers: method.numbers ? unpack(method.numbers, Uint32Array) : null,
   degrees: unpack(method.degrees, Uint32Array),
   values: Object.fromEntries(method.values.map((values, i) => [data.metrics[i].name, unpack(values, Float32Array)])),
-  points,
+  steps: Object.fromEntries(method.steps.map((steps, i) => [data.metrics[i].name, unpack(steps, Uint8Array)])),
+  positions,
+  points: points.subarray(0, 2 * method.vertices),
   outlines,
   vertexNumbers,
-  isRing: data.is_ring,
+  // Points inside come after those of the one boundary that others join.
+  isRing: data.is_ring && method.vertices === least,
   fillsOutlines: data.fills_outlines,
   leastDegree: data.at_least,
 }));
@@ -34,7 +39,7 @@ const SLOW = 30;
 const element = (id) => document.getElementById(id);
 
 // What all pictures share: where they look, and what they show.
-const view = { x: 0, y: 0, zoom: 1, stretch: isSlender(size) };
+const view = { x: 0, y: 0, zoom: 1, stretch: wantsStretch(size, document.querySelector(".meshes")?.clientWidth ?? 0) };
 let measure = data.metrics[0];
 let cursor = null;
 let colors;

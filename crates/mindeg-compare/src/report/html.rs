@@ -8,18 +8,20 @@
 //! Limits: pictures are thinned above 20,000 triangles a method; the page says so where it
 //! happens.
 
-use super::picture::{self, MAX_DRAWN, thinned};
+use super::picture;
+use super::scene::{MAX_DRAWN, thinned};
 use super::svg::{self, CURVE_STYLE, Curve, Marks};
 use super::tables::{self, Table};
 use super::viewer::{SCRIPT, STYLE};
 use super::{Provenance, Report};
+use crate::advised::advised;
 use crate::figures::{MethodDefect, MethodFigures};
 use crate::verdict::{Verdict, verdict};
 use crate::{Comparison, Method};
 use askama::Template;
 use glam::DVec2;
 use mindeg::exact::TradeOff;
-use mindeg_answers::advice::advised_command;
+use mindeg_answers::advice::{Purpose, advised_command};
 use mindeg_answers::numbers::{count, steady_angle};
 use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
 use std::io::{self, Write};
@@ -63,8 +65,9 @@ struct Page<'a> {
     facts: String,
     verdict: Verdict,
     choice: Table,
-    command: String,
+    commands: Vec<String>,
     is_map: bool,
+    is_in_space: bool,
     curve: Option<String>,
     main_figures: Vec<Figure<'a>>,
     other_figures: Vec<Figure<'a>>,
@@ -89,7 +92,8 @@ struct Links<'a> {
 pub(super) struct Figure<'a> {
     pub(super) place: usize,
     pub(super) name: String,
-    pub(super) is_advised: bool,
+    /// What it is advised for.
+    pub(super) advised: Option<&'static str>,
     pub(super) described: String,
     pub(super) defects: &'a [MethodDefect],
     pub(super) thinned: Option<String>,
@@ -171,7 +175,8 @@ pub fn write_linked_html(
         ),
         verdict: verdict(report),
         choice: tables::choice(report),
-        command: advised_command(input.unwrap_or("DOMAIN.json")),
+        commands: commands(report, input.unwrap_or("DOMAIN.json")),
+        is_in_space: false,
         is_map: report.domain.regions.is_some(),
         curve: comparison.trade_off().map(|curve| small_curve(report, curve)).transpose()?,
         main_figures,
@@ -192,7 +197,7 @@ pub fn write_linked_html(
 fn small_curve(report: &Report, trade_off: &TradeOff) -> io::Result<String> {
     let delaunay = report.methods.iter().find(|figures| figures.method == Method::DELAUNAY);
     let marks = Marks {
-        advised: report.advice.map(|advice| advice.max_degree),
+        advised: report.advice.patch.map(|patch| patch.max_degree),
         delaunay: delaunay.and_then(|figures| figures.max_degree),
     };
     curve_picture(trade_off, SMALL_CURVE, "small", marks, |_| false)
@@ -274,6 +279,20 @@ pub(super) fn facts(
     )
 }
 
+/// The commands that make the advised meshes, the one to take first.
+pub(super) fn commands(report: &Report, input: &str) -> Vec<String> {
+    let purposes = report.advice.purposes(report.purpose);
+    purposes.into_iter().map(|purpose| advised_command(input, purpose)).collect()
+}
+
+fn advised_for(purpose: Purpose) -> &'static str {
+    match purpose {
+        Purpose::Solver => "for a solver",
+        Purpose::Patch => "for a patch that keeps its points",
+        Purpose::Fewest => "for the fewest edges at a vertex",
+    }
+}
+
 /// Vertices: a map has some inside.
 pub(super) fn vertex_words(regions: Option<u32>) -> &'static str {
     if regions.is_some() { "vertices" } else { "boundary vertices" }
@@ -282,7 +301,7 @@ pub(super) fn vertex_words(regions: Option<u32>) -> &'static str {
 /// The meshes that the verdict compares, the advised one first, and the others.
 fn figures(comparison: &Comparison) -> (Vec<Figure<'_>>, Vec<Figure<'_>>) {
     let report = comparison.report();
-    let advised = report.advice.map(|advice| tables::first_with_mesh_of(report, advice.method));
+    let advised = advised(report);
     let mut main = Vec::new();
     let mut others = Vec::new();
     for (place, named) in tables::named(report).into_iter().enumerate() {
@@ -294,22 +313,29 @@ fn figures(comparison: &Comparison) -> (Vec<Figure<'_>>, Vec<Figure<'_>>) {
             }
             None => "no triangulation".to_owned(),
         };
-        let is_advised = advised == Some(method.method);
+        let place_advised = advised.iter().position(|(_, other)| *other == method.method);
         let figure = Figure {
             place,
             name: named.name,
-            is_advised,
+            advised: place_advised.map(|place| advised_for(advised[place].0)),
             described,
             defects: &method.defects,
             thinned: thinned(triangles, MAX_DRAWN),
             has_triangles: triangles > 0,
         };
         match method.method {
-            _ if is_advised => main.insert(0, figure),
+            _ if place_advised.is_some() => main.push(figure),
             Method::LeastDegree | Method::DELAUNAY => main.push(figure),
             _ => others.push(figure),
         }
     }
+    // The one to take comes first.
+    let order = |figure: &Figure<'_>| {
+        let found =
+            advised.iter().position(|(purpose, _)| figure.advised == Some(advised_for(*purpose)));
+        found.unwrap_or(usize::MAX)
+    };
+    main.sort_by_key(order);
     (main, others)
 }
 

@@ -5,19 +5,21 @@
 use super::html::{link, rendered};
 use super::viewer::STYLE;
 use super::{Provenance, Report, svg};
-use crate::{Advice, Method};
+use crate::Method;
 use askama::Template;
-use mindeg_answers::numbers::{Column, count, steady_percent};
+use mindeg_answers::advice::Advice;
+use mindeg_answers::numbers::{Column, count};
 use std::io::{self, Write};
 
 const SCRIPT: &str = include_str!("index.js");
 
 /// The headings, and how a column is sorted.
-const COLUMNS: [(&str, &str); 8] = [
+const COLUMNS: [(&str, &str); 9] = [
     ("Domain", "text"),
     ("Boundary vertices", "number"),
-    ("Advised degree", "number"),
-    ("Angle kept at it", "number"),
+    ("Angle for a solver", "number"),
+    ("Degree for a patch", "number"),
+    ("Angle for a patch", "number"),
     ("Least degree", "number"),
     ("Its minimum angle", "number"),
     ("Delaunay degree", "number"),
@@ -56,7 +58,7 @@ pub struct IndexEntry {
 struct Line {
     link: String,
     vertices: u32,
-    advice: Option<Advice>,
+    advice: Advice,
     mindeg: Option<(u32, f64)>,
     delaunay: Option<(u32, f64)>,
 }
@@ -149,8 +151,12 @@ pub fn write_index(entries: &[IndexEntry], mut out: impl Write) -> io::Result<()
 /// All angles of the table, which share their decimals.
 fn angles(entries: &[IndexEntry]) -> Column {
     let lines = entries.iter().filter_map(|entry| entry.outcome.as_ref().ok());
-    let outcomes = lines.flat_map(|line| [line.mindeg, line.delaunay]).flatten();
-    Column::new(outcomes.map(|(_, angle)| angle), 2)
+    let all = lines.flat_map(|line| {
+        let own = [line.mindeg, line.delaunay].into_iter().flatten().map(|(_, angle)| angle);
+        let advised = [line.advice.solver, line.advice.patch].into_iter().flatten();
+        own.chain(advised.map(|mesh| mesh.min_angle))
+    });
+    Column::new(all, 2)
 }
 
 fn cells(line: &Line, angles: Column) -> Vec<Cell> {
@@ -159,8 +165,9 @@ fn cells(line: &Line, angles: Column) -> Vec<Cell> {
     let larger = line.mindeg.zip(line.delaunay).is_some_and(|(own, there)| own.1 < 0.999 * there.1);
     let figures = [
         (Some(whole(line.vertices)), false),
-        (line.advice.map(|advice| whole(advice.max_degree)), false),
-        (line.advice.map(|a| (a.share_of_delaunay, steady_percent(a.share_of_delaunay))), false),
+        (line.advice.solver.map(|it| (it.min_angle, angles.angle(it.min_angle))), false),
+        (line.advice.patch.map(|it| whole(it.max_degree)), false),
+        (line.advice.patch.map(|it| (it.min_angle, angles.angle(it.min_angle))), false),
         (line.mindeg.map(|(degree, _)| whole(degree)), lower),
         (line.mindeg.map(|(_, angle)| (angle, angles.angle(angle))), false),
         (line.delaunay.map(|(degree, _)| whole(degree)), false),

@@ -2,11 +2,10 @@
 //!
 //! Limits: tables need a reader that knows GitHub's extension. No pictures.
 
-use super::html::vertex_words;
+use super::html::{commands, vertex_words};
 use super::tables::{self, Table};
 use crate::Comparison;
 use crate::verdict::verdict;
-use mindeg_answers::advice::advised_command;
 use mindeg_answers::numbers::count;
 use std::io::{self, Write};
 
@@ -47,7 +46,7 @@ pub fn write_markdown(comparison: &Comparison, mut out: impl Write) -> io::Resul
         writeln!(out, "{}\n", escaped(sentence))?;
     }
     let input = report.provenance.input.as_deref().unwrap_or("DOMAIN.json");
-    writeln!(out, "```sh\n{}\n```\n", advised_command(input))?;
+    writeln!(out, "```sh\n{}\n```\n", commands(report, input).join("\n"))?;
     write_table(&mut out, 2, &tables::choice(report))?;
     write_table(&mut out, 2, &tables::overview(report))?;
     if let Some(table) = tables::interior(report) {

@@ -1,7 +1,8 @@
 // All pictures together, and the controls of the page.
 
 const meshes = methods.filter((method) => method.triangles.length);
-const pictures = [...document.querySelectorAll(".stage")].map((stage) => new Picture(stage));
+const isInSpace = positions !== null;
+const pictures = [...document.querySelectorAll(".stage")].map((stage) => (isInSpace ? new SpacePicture(stage) : new Picture(stage)));
 
 let isDrawing = false;
 let isMarking = false;
@@ -83,20 +84,20 @@ function showMeasure() {
   showMetricChart(element("metric-chart"), shown, rows, colors);
 }
 
-/** A button that copies the command, if there is one; without a clipboard the command is selected. */
+/** Buttons that copy the commands; without a clipboard a command is selected. */
 function offerCopy() {
-  const button = element("copy");
-  if (!button) return;
-  const select = () => getSelection().selectAllChildren(element("command"));
-  button.hidden = false;
-  button.addEventListener("click", async () => {
-    try {
-      await navigator.clipboard.writeText(element("command").textContent);
-      button.textContent = "Copied";
-    } catch {
-      select();
-    }
-  });
+  for (const button of document.querySelectorAll(".copy")) {
+    const command = button.parentElement.querySelector("code");
+    button.hidden = false;
+    button.addEventListener("click", async () => {
+      try {
+        await navigator.clipboard.writeText(command.textContent);
+        button.textContent = "Copied";
+      } catch {
+        getSelection().selectAllChildren(command);
+      }
+    });
+  }
 }
 
 function start() {
@@ -114,9 +115,10 @@ function start() {
     view.stretch = event.target.checked;
     resize();
   });
-  element("zoom-in").addEventListener("click", () => zoomBy(1.5));
-  element("zoom-out").addEventListener("click", () => zoomBy(1 / 1.5));
-  element("fit").addEventListener("click", fit);
+  const zoom = (factor) => (isInSpace ? pictures.forEach(({ space }) => space.zoomBy(factor)) : zoomBy(factor));
+  element("zoom-in").addEventListener("click", () => zoom(1.5));
+  element("zoom-out").addEventListener("click", () => zoom(1 / 1.5));
+  element("fit").addEventListener("click", () => (isInSpace ? pictures.forEach(({ space }) => space.fit()) : fit()));
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", restyle);
   // Paper shows all, unfolded, on a light background.
   let folded = [];

@@ -3,50 +3,26 @@
 //! Arrays go as base64 of little-endian numbers. Coordinates are relative to the center of what is
 //! drawn, so that they are exact as far from the origin as they are near it. Measures go as
 //! f32: they choose a color and are read off to four digits.
-//!
-//! Limits: of a mesh with more triangles than [`Scene::most_drawn`] at most so many go into the
-//! picture. Charts and tables always count all.
 
+use super::scene::{MAX_DRAWN, Scene, Shown, max_degree_vertex};
 use super::svg::{self, DegreeColor};
-use super::tables::{self, Named};
+use super::tables;
 use crate::axis::{Axis, BARS};
 use crate::figures::MethodFigures;
 use crate::{Comparison, Method, measure};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use mindeg::quality::Distribution;
-use mindeg::quality::TriangleQuality;
 use mindeg_answers::measures::{MeasureFacts, SHOWN, ShownMetric};
-use mindeg_answers::numbers::count;
 use serde::Serialize;
 use std::ops::RangeInclusive;
 
-/// The most triangles of one mesh in a page with several.
-pub(crate) const MAX_DRAWN: usize = 20_000;
+/// The most triangles of a mesh whose measures go into a page as numbers; of larger ones, their colors do.
+const MAX_MEASURED: usize = 100_000;
 
-/// Meshes that share their points, as they are to be drawn.
-pub(crate) struct Scene<'a> {
-    /// Lines around what is drawn; a closed one ends where it starts.
-    pub(crate) outlines: Vec<Vec<DVec2>>,
-    /// Whether what is within the outlines is all surface, so that it can be filled at once.
-    pub(crate) fills_outlines: bool,
-    /// Whether the vertices are those of one boundary, in order.
-    pub(crate) is_ring: bool,
-    pub(crate) points: &'a [DVec2],
-    /// The indices of the vertices that belong to the meshes, ascending.
-    pub(crate) vertices: Vec<u32>,
-    /// The least maximum degree of any mesh of these vertices, if it is known.
-    pub(crate) at_least: Option<u32>,
-    /// The most triangles of a mesh in the picture.
-    pub(crate) most_drawn: usize,
-    /// Each mesh with its triangles.
-    pub(crate) meshes: Vec<(Named<'a>, &'a [[u32; 3]])>,
-    /// The degrees of all points in each mesh.
-    pub(crate) degrees: Vec<Vec<u32>>,
-    /// The measures of a triangle.
-    pub(crate) quality: &'a dyn Fn([u32; 3]) -> TriangleQuality,
-}
+/// The number of colors of a measure, as in the script of the viewer.
+const STEPS: usize = 16;
 
 /// Everything the script of the page reads.
 #[derive(Serialize)]
@@ -57,8 +33,10 @@ pub(crate) struct Picture {
     outlines: Vec<String>,
     fills_outlines: bool,
     is_ring: bool,
-    /// x and y of each shown vertex, f64.
+    /// x and y of each shown vertex, f64; empty for a mesh in space.
     points: String,
+    /// x, y and z of each shown vertex of a mesh in space, f32.
+    positions: Option<String>,
     /// The indices of the shown vertices, u32; empty where all are shown.
     vertices: String,
     at_least: Option<u32>,
@@ -91,12 +69,16 @@ struct Drawing {
     numbers: String,
     /// The degree of each shown vertex, u32.
     degrees: String,
-    /// For each measure, its value for each drawn triangle, f32.
+    /// For each measure, its value for each drawn triangle, f32; of a mesh with very many triangles, empty.
     values: Vec<String>,
+    /// Instead: for each measure, the color of each drawn triangle, a byte.
+    steps: Vec<String>,
     /// For each measure, the number of triangles in each bar of its chart.
     bars: Vec<Vec<u32>>,
     /// The number of vertices in each bar of the degree chart.
     degree_bars: Vec<u64>,
+    /// How many of the shown vertices it has; those of points inside follow the others.
+    vertices: usize,
     /// The index of the worst triangle among the drawn.
     worst: usize,
     /// The index of a vertex of the largest degree among the shown.
@@ -106,7 +88,7 @@ struct Drawing {
 /// The data for the pictures of a comparison.
 pub(crate) fn of_comparison(comparison: &Comparison) -> Picture {
     let report = comparison.report();
-    let points = comparison.points();
+    let points = comparison.points(Method::Inside);
     let meshes: Vec<_> = tables::named(report)
         .into_iter()
         .map(|named| {
@@ -120,12 +102,16 @@ pub(crate) fn of_comparison(comparison: &Comparison) -> Picture {
         fills_outlines: report.domain.regions.is_none(),
         is_ring: report.domain.holes == 0 && report.domain.regions.is_none(),
         points,
+        positions: None,
         vertices: (0..vertex_count).collect(),
         at_least: Some(report.domain.at_least),
         most_drawn: MAX_DRAWN,
         degrees: meshes
             .iter()
-            .map(|(_, triangles)| measure::degrees(comparison.boundary(), triangles))
+            .map(|(named, triangles)| {
+                let vertices = comparison.points(named.figures.method).len();
+                measure::degrees_of(comparison.boundary(), vertices, triangles)
+            })
             .collect(),
         meshes,
         quality: &|triangle| measure::quality(points, triangle),
@@ -154,7 +140,11 @@ pub(crate) fn picture(scene: &Scene) -> Picture {
         outlines: scene.outlines.iter().map(outline).collect(),
         fills_outlines: scene.fills_outlines,
         is_ring: scene.is_ring,
-        points: packed(shown.vertices.iter().flat_map(|&vertex| coordinates(placed(vertex)))),
+        points: match scene.positions {
+            Some(_) => String::new(),
+            None => packed(shown.vertices.iter().flat_map(|&vertex| coordinates(placed(vertex)))),
+        },
+        positions: scene.positions.map(|positions| in_space(positions, &shown.vertices)),
         vertices: if shown.vertices.len() == scene.points.len() {
             String::new()
         } else {
@@ -173,48 +163,16 @@ pub(crate) fn picture(scene: &Scene) -> Picture {
     }
 }
 
-/// The note on a mesh with more than `most_drawn` triangles, the most that a page draws.
-pub(crate) fn thinned(triangles: usize, most_drawn: usize) -> Option<String> {
-    (triangles > most_drawn).then(|| {
-        format!(
-            "Thinned out: {} of {} triangles are drawn, the largest and others evenly. Figures \
-             and charts count all.",
-            count(most_drawn as u64),
-            count(triangles as u64)
-        )
-    })
-}
-
-/// The elements of the meshes that the pictures show.
-struct Shown {
-    /// The indices of each mesh's triangles, ascending.
-    triangles: Vec<Vec<usize>>,
-    /// All vertices, or those of the triangles of all meshes and those of maximum degree, ascending.
-    vertices: Vec<u32>,
-}
-
-impl Shown {
-    fn new(scene: &Scene) -> Self {
-        let triangles: Vec<Vec<usize>> =
-            scene.meshes.iter().map(|(mesh, all)| drawn_triangles(scene, mesh, all)).collect();
-        let drawn = || scene.meshes.iter().map(|&(_, all)| all).zip(&triangles);
-        let vertices = if drawn().any(|(all, some)| some.len() < all.len()) {
-            let drawn = drawn().flat_map(|(all, some)| some.iter().flat_map(|&n| all[n]));
-            let max_degree_vertex = scene.degrees.iter().map(|degrees| max_degree_vertex(degrees));
-            let mut vertices: Vec<u32> = drawn.chain(max_degree_vertex).collect();
-            vertices.sort_unstable();
-            vertices.dedup();
-            vertices
-        } else {
-            scene.vertices.clone()
-        };
-        Self { triangles, vertices }
-    }
-
-    /// The index of a shown vertex.
-    fn place_of(&self, vertex: u32) -> usize {
-        self.vertices.partition_point(|&other| other < vertex)
-    }
+/// Positions from the middle of their box.
+fn in_space(positions: &[DVec3], vertices: &[u32]) -> String {
+    let at = |&vertex: &u32| positions[vertex as usize];
+    let ends = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    let (low, high) =
+        vertices.iter().map(at).fold(ends, |(low, high), p| (low.min(p), high.max(p)));
+    // Half of each, since a difference of the two could overflow.
+    let center = low / 2.0 + high / 2.0;
+    let numbers = |vertex: &u32| (at(vertex) - center).to_array().map(|x| (x as f32).to_le_bytes());
+    packed(vertices.iter().flat_map(numbers))
 }
 
 fn drawing(
@@ -235,16 +193,24 @@ fn drawing(
     let mut bars = vec![vec![0; BARS]; SHOWN.len()];
     for number in 0..triangles.len() {
         for ((bars, value), metric) in bars.iter_mut().zip(values(number)).zip(metrics) {
-            let axis = Axis { range: metric.range, is_logarithmic: metric.logarithmic };
-            bars[axis.bar(value)] += 1;
+            bars[metric.axis().bar(value)] += 1;
         }
     }
-    let mut columns = SHOWN.map(|_| Vec::with_capacity(drawn.len()));
+    let is_measured = drawn.len() <= MAX_MEASURED;
+    let mut columns = SHOWN.map(|_| Vec::new());
+    let mut steps = SHOWN.map(|_| Vec::new());
     for &number in drawn {
-        for (column, value) in columns.iter_mut().zip(values(number)) {
-            column.push((value as f32).to_le_bytes());
+        for (place, value) in values(number).into_iter().enumerate() {
+            if is_measured {
+                columns[place].push((value as f32).to_le_bytes());
+            } else {
+                steps[place].push([metrics[place].step(value)]);
+            }
         }
     }
+    let given =
+        |columns: Vec<String>, are_given: bool| if are_given { columns } else { Vec::new() };
+    let own = || shown.vertices.iter().take_while(|&&vertex| (vertex as usize) < degrees.len());
     let indices = drawn.iter().flat_map(|&number| triangles[number]);
     let worst = mesh.figures.worst_triangles.first().map_or(0, |worst| worst.triangle as usize);
     Drawing {
@@ -255,8 +221,10 @@ fn drawing(
         } else {
             packed(drawn.iter().map(|&number| (number as u32).to_le_bytes()))
         },
-        degrees: packed(shown.vertices.iter().map(|&v| degrees[v as usize].to_le_bytes())),
-        values: columns.into_iter().map(|column| packed(column.into_iter())).collect(),
+        degrees: packed(own().map(|&v| degrees[v as usize].to_le_bytes())),
+        vertices: own().count(),
+        values: given(columns.map(|column| packed(column.into_iter())).into(), is_measured),
+        steps: given(steps.map(|column| packed(column.into_iter())).into(), !is_measured),
         bars,
         degree_bars: degree_ranges
             .iter()
@@ -267,33 +235,17 @@ fn drawing(
     }
 }
 
-/// The indices of the triangles that are drawn, ascending: all, or the largest, which make up
-/// most of the picture, the worst, and others evenly by number.
-fn drawn_triangles(scene: &Scene, mesh: &Named, triangles: &[[u32; 3]]) -> Vec<usize> {
-    let (count, most) = (triangles.len(), scene.most_drawn);
-    if count <= most {
-        return (0..count).collect();
+impl Measure {
+    fn axis(&self) -> Axis {
+        Axis { range: self.range, is_logarithmic: self.logarithmic }
     }
-    let area = |&triangle: &[u32; 3]| {
-        let [a, b, c] = triangle.map(|vertex| scene.points[vertex as usize]);
-        (b - a).perp_dot(c - a).abs()
-    };
-    let areas: Vec<f64> = triangles.iter().map(area).collect();
-    let mut drawn: Vec<usize> = (0..count).collect();
-    drawn.select_nth_unstable_by(most / 4, |&a, &b| areas[b].total_cmp(&areas[a]).then(a.cmp(&b)));
-    drawn.truncate(most / 4);
-    drawn.extend(mesh.figures.worst_triangles.iter().map(|worst| worst.triangle as usize));
-    let others = most - drawn.len();
-    drawn.extend((0..others).map(|i| (i as u64 * count as u64 / others as u64) as usize));
-    drawn.sort_unstable();
-    drawn.dedup();
-    drawn
-}
 
-/// The first vertex of the largest degree.
-fn max_degree_vertex(degrees: &[u32]) -> u32 {
-    let last_of_max = (0..degrees.len()).rev().max_by_key(|&vertex| degrees[vertex]);
-    last_of_max.unwrap_or(0) as u32
+    /// The color of a value: 0 is good.
+    fn step(&self, value: f64) -> u8 {
+        let share = self.axis().share(value);
+        let worse = if self.facts.higher_is_better { 1.0 - share } else { share };
+        ((worse * STEPS as f64) as usize).min(STEPS - 1) as u8
+    }
 }
 
 fn measure(scene: &Scene, shown: &ShownMetric) -> Measure {

@@ -10,7 +10,7 @@ pub(super) use curve::{Curve, Marks};
 
 use glam::DVec2;
 use mindeg::exact::TradeOff;
-use mindeg::{BoundaryMesh, Bounds};
+use mindeg::{Bounds, Mesh};
 use mindeg_formats::svg::Inset;
 use mindeg_formats::{WriteError, degree_color};
 use serde::Serialize;
@@ -125,7 +125,7 @@ fn hex(degree: u32) -> String {
 }
 
 /// A mesh drawn into some space of a picture, as SVG elements.
-pub(super) fn mesh(mesh: &BoundaryMesh, bounds: Bounds, space: Bounds) -> io::Result<String> {
+pub(super) fn mesh(mesh: &dyn Mesh, bounds: Bounds, space: Bounds) -> io::Result<String> {
     let mut drawing = Vec::new();
     match Inset::new(bounds, space).write(mesh, &mut drawing) {
         Ok(()) => String::from_utf8(drawing).map_err(io::Error::other),

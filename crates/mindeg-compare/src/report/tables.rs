@@ -7,9 +7,11 @@
 //! ranges; the JSON has each.
 
 use super::Report;
+use crate::advised::advised;
 use crate::figures::{DefectKind, MethodFigures};
 use crate::{InteriorFigures, Method};
 use mindeg::quality::Distribution;
+use mindeg_answers::advice::Purpose;
 use mindeg_answers::measures::SHOWN;
 use mindeg_answers::numbers::{Column, count, seconds, steady_percent};
 use std::ops::RangeInclusive;
@@ -54,28 +56,24 @@ fn name(figures: &MethodFigures) -> String {
     figures.method.to_string()
 }
 
-/// The mesh that a method has, under whatever name the report shows it.
-pub(crate) fn first_with_mesh_of(report: &Report, wanted: Method) -> Method {
-    let figures = report.methods.iter().find(|figures| figures.method == wanted);
-    figures.and_then(|figures| figures.same_mesh_as).unwrap_or(wanted)
-}
-
-/// The figures that decide: a column each for the advised mesh, the mesh of least degree and Delaunay's.
+/// The figures that decide: a column each for the advised meshes, the mesh of least degree and Delaunay's.
 pub(crate) fn choice(report: &Report) -> Table {
-    let advised = report.advice.map(|advice| first_with_mesh_of(report, advice.method));
-    let wanted = [advised, Some(Method::LeastDegree), Some(Method::DELAUNAY)];
+    let advised = advised(report).into_iter().map(|(purpose, method)| (Some(purpose), method));
+    let others = [Method::LeastDegree, Method::DELAUNAY].map(|method| (None, method));
     let mut columns: Vec<(String, &MethodFigures)> = Vec::new();
-    for (place, method) in wanted.into_iter().enumerate() {
-        let found = report.methods.iter().find(|figures| Some(figures.method) == method);
+    for (purpose, method) in advised.chain(others) {
+        let found = report.methods.iter().find(|figures| figures.method == method);
         let Some(figures) = found.filter(|figures| figures.max_degree.is_some()) else { continue };
         if columns.iter().any(|(_, other)| other.method == figures.method) {
             continue;
         }
-        let title = match (place, figures.method) {
-            (0, Method::DELAUNAY) => "Delaunay (advised)".to_owned(),
-            (0, _) => format!("Degree {} (advised)", count(figures.max_degree.unwrap_or(0))),
-            (1, _) => "mindeg, least degree".to_owned(),
-            _ => "Delaunay".to_owned(),
+        let title = match (purpose, figures.method) {
+            (Some(Purpose::Solver), _) => "Points inside (for a solver)".to_owned(),
+            (Some(Purpose::Patch), _) => {
+                format!("Degree {} (for a patch)", count(figures.max_degree.unwrap_or(0)))
+            }
+            (_, Method::DELAUNAY) => "Delaunay".to_owned(),
+            _ => "mindeg, least degree".to_owned(),
         };
         columns.push((title, figures));
     }
@@ -413,7 +411,8 @@ mod tests {
         Report {
             provenance: Provenance::default(),
             domain,
-            advice: None,
+            purpose: None,
+            advice: mindeg_answers::advice::Advice::UNMEASURED,
             methods: vec![method],
             trade_off: None,
             interior: Vec::new(),
@@ -432,7 +431,7 @@ mod tests {
         let names: Vec<_> = named(&report).into_iter().map(|n| (n.place, n.name)).collect();
         let expected = [(0, "mindeg and Exact, degree 4"), (1, "Delaunay")];
         assert_eq!(names, expected.map(|(place, name)| (place, name.to_owned())));
-        assert_eq!(first_with_mesh_of(&report, exact), Method::LeastDegree);
+        assert_eq!(crate::advised::first_with_mesh_of(&report, exact), Method::LeastDegree);
     }
 
     #[test]

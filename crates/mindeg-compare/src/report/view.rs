@@ -1,21 +1,18 @@
 //! One mesh of any program as an HTML page: the pictures and charts of a comparison for it alone.
 //!
-//! Limits: what is in space is drawn as a projection along an axis. Pictures are thinned above
-//! 100,000 triangles; the page says so.
-
-mod flattened;
+//! Limits: flat pictures are thinned above 100,000 triangles, pictures in space above 2 million; the page says so.
 
 use super::Provenance;
 use super::html::{Figure, rendered, script_safe};
-use super::picture::{self, Scene, thinned};
+use super::picture;
+use super::scene::{Scene, thinned};
 use super::svg;
 use super::tables::{self, Named, Table};
-use super::viewer::{SCRIPT, STYLE};
+use super::viewer::{SCRIPT, SPACE_SCRIPT, STYLE};
 use crate::figures::MethodFigures;
 use crate::measure;
 use askama::Template;
-use flattened::Flattened;
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use mindeg::quality::Distribution;
 use mindeg::quality::TriangleQuality;
 use mindeg_answers::measures::{SHOWN, ShownMetric};
@@ -26,6 +23,9 @@ use std::io::{self, Write};
 
 /// The most triangles in the picture: as many as in a comparison of five meshes.
 const MAX_DRAWN: usize = 100_000;
+
+/// The same for a mesh in space.
+const MAX_DRAWN_IN_SPACE: usize = 2_000_000;
 
 #[derive(Template)]
 #[template(path = "view.html")]
@@ -39,6 +39,7 @@ struct Page<'a> {
     notes: Vec<String>,
     /// Whether all vertices are on one boundary.
     is_ring: bool,
+    is_in_space: bool,
     figure: Figure<'a>,
     measures: Table,
     /// The title of each measure, and what it is.
@@ -51,8 +52,7 @@ struct Page<'a> {
 /// Writes a mesh as one self-contained HTML page, in which a reader can view and measure it.
 ///
 /// Vertices with identical coordinates count as one, and only those of triangles are shown.
-/// A mesh in space is drawn as seen along one of the axes. All measures are of the triangles in
-/// space. The page asks for nothing else, and scripts from elsewhere do not run in it. The same mesh
+/// A mesh in space is turned. The page asks for nothing else, and scripts from elsewhere do not run in it. The same mesh
 /// gives the same bytes. O(n log n) time, O(n) memory.
 ///
 /// # Errors
@@ -86,8 +86,9 @@ pub fn write_view(mesh: &TriMesh, provenance: &Provenance, mut out: impl Write) 
         [ring] => ring.closed && ring.vertices.iter().copied().eq(0..welded.vertex_count()),
         _ => false,
     };
-    let flattened = Flattened::of(&welded, &vertices);
-    let points = &flattened.points;
+    let points: Vec<DVec2> = positions.iter().map(|position| position.truncate()).collect();
+    let is_in_space = !is_flat(positions, &vertices);
+    let most_drawn = if is_in_space { MAX_DRAWN_IN_SPACE } else { MAX_DRAWN };
 
     let quality = |corners: [u32; 3]| {
         let [a, b, c] = corners.map(|vertex| positions[vertex as usize]);
@@ -100,13 +101,17 @@ pub fn write_view(mesh: &TriMesh, provenance: &Provenance, mut out: impl Write) 
         MethodFigures { valid: true, ..measure::measured(used_degrees, &qualities, triangles) };
     let named = || Named { place: 0, name: title.to_owned(), figures: &figures };
     let data = serde_json::to_string(&picture::picture(&Scene {
-        outlines: outlines(&loops, points, triangles.len()),
-        fills_outlines: flattened.axis.is_none(),
+        outlines: match is_in_space {
+            true => Vec::new(),
+            false => outlines(&loops, &points, triangles.len()),
+        },
+        fills_outlines: !is_in_space,
         is_ring,
-        points,
+        points: &points,
+        positions: is_in_space.then_some(positions),
         vertices: vertices.clone(),
         at_least: None,
-        most_drawn: MAX_DRAWN,
+        most_drawn,
         meshes: vec![(named(), triangles)],
         degrees: vec![degrees.to_vec()],
         quality: &quality,
@@ -122,22 +127,23 @@ pub fn write_view(mesh: &TriMesh, provenance: &Provenance, mut out: impl Write) 
             count(triangles.len() as u64)
         ),
         figures: decisive(&figures, vertices.len(), triangles.len()),
-        notes: notes(mesh, &flattened, merged),
+        notes: notes(mesh, merged),
         is_ring,
+        is_in_space,
         figure: Figure {
             place: 0,
             name: title.to_owned(),
-            is_advised: false,
+            advised: None,
             described: described(&figures),
             defects: &[],
-            thinned: thinned(triangles.len(), MAX_DRAWN),
+            thinned: thinned(triangles.len(), most_drawn),
             has_triangles: true,
         },
         measures: measures(&figures),
         explanations: SHOWN.iter().map(|shown| (shown.title, shown.explanation())).collect(),
         worst: tables::worst(&[named()]),
         data: script_safe(&data),
-        script: SCRIPT,
+        script: if is_in_space { SPACE_SCRIPT } else { SCRIPT },
     };
     out.write_all(rendered(&page)?.as_bytes())
 }
@@ -188,8 +194,15 @@ fn described(figures: &MethodFigures) -> String {
     format!("maximum degree {degree} · minimum angle {least}")
 }
 
-fn notes(mesh: &TriMesh, flattened: &Flattened, merged: u64) -> Vec<String> {
-    let mut notes: Vec<String> = flattened.axis.map(|axis| axis.note()).into_iter().collect();
+/// Whether all vertices of triangles have one height.
+fn is_flat(positions: &[DVec3], vertices: &[u32]) -> bool {
+    let mut heights = vertices.iter().map(|&vertex| positions[vertex as usize].z);
+    let first = heights.next();
+    heights.all(|z| Some(z) == first)
+}
+
+fn notes(mesh: &TriMesh, merged: u64) -> Vec<String> {
+    let mut notes = Vec::new();
     if merged > 0 {
         notes.push(format!(
             "{} vertices of the file have the coordinates of an earlier one and count as that.",
@@ -226,7 +239,6 @@ fn measures(figures: &MethodFigures) -> Table {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use glam::DVec3;
 
     /// The data that the script of a page reads.
     fn data(page: &str) -> serde_json::Value {
@@ -302,12 +314,24 @@ mod tests {
     }
 
     #[test]
+    fn a_mesh_at_one_height_is_not_in_space() {
+        let high = mesh(&[[0.0, 0.0, 5.0], [1.0, 0.0, 5.0], [1.0, 1.0, 5.0]], &[[0, 1, 2]]);
+        assert!(data(&page(&high))["positions"].is_null());
+        // A vertex of no triangle does not count.
+        let flat =
+            mesh(&[[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], &[[0, 1, 2]]);
+        assert!(data(&page(&flat))["positions"].is_null());
+    }
+
+    #[test]
     fn measures_are_those_in_space() {
         // Seen along z it is a right isosceles triangle; in space it is equilateral.
         let tilted = mesh(&[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], &[[0, 1, 2]]);
         let page = page(&tilted);
         assert!(page.contains("minimum angle 60°"), "{page}");
-        assert!(page.contains("projection along the z axis"));
+        let positions = data(&page)["positions"].as_str().map(str::len);
+        // Nine numbers of four bytes.
+        assert_eq!(positions, Some(48));
     }
 
     #[test]

@@ -25,6 +25,18 @@ macro_rules! viewer {
 /// The script of a report: the viewer, then the report's own parts.
 pub(super) const SCRIPT: &str = viewer!("data.js", "picture.js", "page.js");
 
+/// The same for a mesh in space.
+pub(super) const SPACE_SCRIPT: &str = viewer!(
+    "viewer/twgl/twgl.js",
+    "viewer/space.js",
+    "viewer/raster.js",
+    "viewer/turning.js",
+    "data.js",
+    "picture.js",
+    "space_picture.js",
+    "page.js"
+);
+
 /// The style sheet of the reports, light and dark, for a page that uses their viewer.
 ///
 /// # Example
@@ -34,6 +46,20 @@ pub(super) const SCRIPT: &str = viewer!("data.js", "picture.js", "page.js");
 /// ```
 pub fn viewer_style() -> String {
     svg::page_style(&[STYLE, CURVE_STYLE])
+}
+
+/// The script that draws and turns meshes in space, after [`viewer_script`].
+///
+/// ```
+/// assert!(mindeg_compare::space_script().contains("class SpaceStage"));
+/// ```
+pub fn space_script() -> &'static str {
+    concat!(
+        include_str!("viewer/twgl/twgl.js"),
+        include_str!("viewer/space.js"),
+        include_str!("viewer/raster.js"),
+        include_str!("viewer/turning.js")
+    )
 }
 
 /// The script of the reports' viewer, for a page or a worker of its own: a classic script.

@@ -13,9 +13,10 @@ use askama::Template;
 use glam::DVec2;
 use mindeg::Bounds;
 use mindeg::exact::{ExactMesh, TradeOff};
-use mindeg_answers::advice::KEPT;
+use mindeg_answers::advice::{Advice, KEPT, Purpose};
 use mindeg_answers::numbers::{Column, count, percent, steady_angle, steady_percent};
 use mindeg_formats::svg::Inset;
+use mindeg_mesh::TriMesh;
 use std::io::{self, Write};
 
 const MESHES_STYLE: &str = include_str!("page.css");
@@ -53,14 +54,14 @@ struct Page<'a> {
 
 /// A mesh with its figures.
 struct Figure {
-    max_degree: u32,
-    degree: String,
-    angle: String,
-    share: String,
+    id: String,
+    title: String,
+    described: String,
     drawing: String,
 }
 
-/// Writes a trade-off as one self-contained HTML page.
+/// Writes a trade-off as one self-contained HTML page with the mesh to take, for a purpose if that is told, and the mesh with
+/// points `inside`, if there is one.
 ///
 /// # Errors
 ///
@@ -71,15 +72,23 @@ struct Figure {
 /// ```
 /// use mindeg_compare::write_trade_off_html;
 /// use mindeg::{Domain, Progress, Side, exact};
+/// use mindeg_answers::advice::Advice;
 ///
 /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?.named("plate")?;
+/// let advice = Advice::of(&domain, Progress::NONE)?;
 /// let mut page = Vec::new();
-/// write_trade_off_html(&exact::trade_off(&domain, Progress::NONE)?, &mut page)?;
+/// write_trade_off_html(&exact::trade_off(&domain, Progress::NONE)?, &advice, None, None, &mut page)?;
 /// let page = String::from_utf8(page)?;
 /// assert!(page.contains("<h1>plate</h1>") && page.contains("id=\"degree-5\""));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn write_trade_off_html(trade_off: &TradeOff, mut out: impl Write) -> io::Result<()> {
+pub fn write_trade_off_html(
+    trade_off: &TradeOff,
+    advice: &Advice,
+    told: Option<Purpose>,
+    inside: Option<&TriMesh>,
+    mut out: impl Write,
+) -> io::Result<()> {
     let domain = trade_off.domain();
     let meshes = trade_off.meshes();
     let shown: Vec<usize> = spread(meshes.len(), MOST_MESHES).collect();
@@ -93,17 +102,37 @@ pub fn write_trade_off_html(trade_off: &TradeOff, mut out: impl Write) -> io::Re
     let figure = |&place: &usize| {
         let exact = &meshes[place];
         Ok(Figure {
-            max_degree: exact.max_degree,
-            degree: count(exact.max_degree),
-            angle: steady_angle(exact.min_angle),
-            share: percent(trade_off.share(exact)),
+            id: format!("degree-{}", exact.max_degree),
+            title: format!("Degree {}", count(exact.max_degree)),
+            described: format!(
+                "minimum angle {} · {} of Delaunay's",
+                steady_angle(exact.min_angle),
+                percent(trade_off.share(exact))
+            ),
             drawing: svg::mesh(&exact.mesh, bounds, space)?,
         })
     };
     let is_shown = |degree| shown.iter().any(|&place| meshes[place].max_degree == degree);
     let marks =
         Marks { advised: advised(trade_off).map(|exact| exact.max_degree), ..Marks::default() };
-    let [headline, sentences @ ..] = &verdict(trade_off)[..] else { return Ok(()) };
+    let verdict = verdict(trade_off, advice, told);
+    let [headline, sentences @ ..] = &verdict[..] else { return Ok(()) };
+    let mut figures: Vec<Figure> = shown.iter().map(figure).collect::<io::Result<_>>()?;
+    if let (Some(mesh), Some(found)) = (inside, advice.solver) {
+        figures.insert(
+            0,
+            Figure {
+                id: "points-inside".to_owned(),
+                title: "Points inside".to_owned(),
+                described: format!(
+                    "minimum angle {} · at most {} edges at a vertex",
+                    steady_angle(found.min_angle),
+                    count(found.max_degree)
+                ),
+                drawing: svg::mesh(mesh, bounds, space)?,
+            },
+        );
+    }
     let intervals: Vec<u32> = domain.rings().sides().collect();
     let inset = Inset::new(bounds, space);
     let page = Page {
@@ -126,7 +155,7 @@ pub fn write_trade_off_html(trade_off: &TradeOff, mut out: impl Write) -> io::Re
         legend: svg::degree_legend(trade_off),
         size: DVec2::new(MESH.x, inset.size().y + 2.0 * MARGIN).round(),
         stretch: inset.stretch(),
-        figures: shown.iter().map(figure).collect::<io::Result<_>>()?,
+        figures,
         table: table(trade_off),
     };
     out.write_all(rendered(&page)?.as_bytes())
@@ -137,8 +166,8 @@ fn advised(trade_off: &TradeOff) -> Option<&ExactMesh> {
     trade_off.keeping(KEPT)
 }
 
-/// The findings from the curve, in sentences; the first is the headline.
-fn verdict(trade_off: &TradeOff) -> Vec<String> {
+/// The advice and the findings from the curve, in sentences; the first is the headline.
+fn verdict(trade_off: &TradeOff, advice: &Advice, told: Option<Purpose>) -> Vec<String> {
     let describe = |exact: &ExactMesh| {
         format!(
             "{} ({} of Delaunay's)",
@@ -150,26 +179,12 @@ fn verdict(trade_off: &TradeOff) -> Vec<String> {
     let delaunay = steady_angle(trade_off.delaunay_min_angle());
     let (Some(first), Some(last)) = (meshes.first(), meshes.last()) else { return Vec::new() };
     let (least, most) = (count(first.max_degree), count(last.max_degree));
-    let mut sentences = Vec::new();
-    match advised(trade_off) {
-        Some(taken) if taken.max_degree == first.max_degree => sentences.push(format!(
-            "Take degree {least}, the least possible: its minimum angle is {}.",
-            describe(first)
-        )),
-        Some(taken) => {
-            let degree = count(taken.max_degree);
-            sentences
-                .push(format!("Take degree {degree}: its minimum angle is {}.", describe(taken)));
-            sentences.push(format!(
-                "Degree {least}, the least possible, has at most {}.",
-                describe(first)
-            ));
-        }
-        None => sentences.push(format!(
-            "Degree {least}, the least possible, has a minimum angle of at most {}.",
-            describe(first)
-        )),
-    }
+    let mut sentences: Vec<String> =
+        advice.purposes(told).into_iter().map(|purpose| advice.sentence(purpose)).collect();
+    sentences.push(format!(
+        "Without points inside, degree {least}, the least possible, has at most {}.",
+        describe(first)
+    ));
     if last.min_angle < trade_off.delaunay_min_angle() {
         sentences.push(format!(
             "More than degree {most}, with {}, does not help: the degree limits of single vertices \

@@ -10,6 +10,8 @@
 // where not all is drawn, `vertexNumbers` and `numbers`: the index of each vertex and triangle in the mesh.
 
 const SLENDER = 10;
+/** A picture that is lower than this, in pixels, shows little. */
+const LOW = 60;
 const MAX_ZOOM = 1e6;
 const STEPS = 16;
 /** Vertices closer than this, in pixels, go without edges. */
@@ -23,7 +25,10 @@ const short = (value) => (Number.isFinite(value) ? String(Number(value.toPrecisi
 
 /** The numbers in a base64 string of little-endian bytes. */
 function unpack(text, Kind) {
-  return new Kind(Uint8Array.from(atob(text), (c) => c.charCodeAt(0)).buffer);
+  const letters = atob(text);
+  const bytes = new Uint8Array(letters.length);
+  for (let i = 0; i < letters.length; i++) bytes[i] = letters.charCodeAt(i);
+  return new Kind(bytes.buffer);
 }
 
 /** Width and height to draw: what has none, as a plane seen from its edge, is drawn as if it had a little. */
@@ -33,6 +38,9 @@ function drawnSize(size) {
 }
 
 const isSlender = (size) => Math.max(...size) > SLENDER * Math.min(...size);
+
+/** Whether a picture of so many pixels in width is stretched to fill its place: to scale there would be little to see. */
+const wantsStretch = (size, width) => isSlender(size) || (width > 0 && (width * size[1]) / size[0] < LOW);
 
 /** The shape of a picture: a wide domain has a low one, so that several fit on a screen. */
 function aspectRatio(size, isStretched) {

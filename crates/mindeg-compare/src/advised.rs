@@ -1,0 +1,39 @@
+//! The meshes of a report that are advised.
+
+use crate::Method;
+use crate::figures::MethodFigures;
+use crate::report::Report;
+use mindeg_answers::advice::Purpose;
+use std::cmp::Ordering::Equal;
+
+/// The advised meshes, the one to take first: what each is for, and the first method that has it.
+pub(crate) fn advised(report: &Report) -> Vec<(Purpose, Method)> {
+    let mesh = |purpose: Purpose| match purpose {
+        Purpose::Solver => {
+            let has_mesh = |it: &&MethodFigures| it.method == Method::Inside && it.valid;
+            report.methods.iter().find(has_mesh).map(|it| it.method)
+        }
+        Purpose::Patch => patch(report).map(|it| it.method),
+        Purpose::Fewest => Some(Method::LeastDegree),
+    };
+    let purposes = report.advice.purposes(report.purpose);
+    let meshes = purposes.into_iter().filter_map(|purpose| Some((purpose, mesh(purpose)?)));
+    meshes.map(|(purpose, method)| (purpose, first_with_mesh_of(report, method))).collect()
+}
+
+/// The mesh that is advised for a patch.
+pub(crate) fn patch(report: &Report) -> Option<&MethodFigures> {
+    let wanted = report.advice.patch?;
+    let has_degree = |method: &&MethodFigures| {
+        method.method != Method::Inside
+            && method.outcome().is_some_and(|(degree, _)| degree == wanted.max_degree)
+    };
+    let all = report.methods.iter().filter(has_degree);
+    all.min_by(|a, b| b.min_angle.partial_cmp(&a.min_angle).unwrap_or(Equal))
+}
+
+/// The mesh that a method has, under whatever name the report shows it.
+pub(crate) fn first_with_mesh_of(report: &Report, wanted: Method) -> Method {
+    let figures = report.methods.iter().find(|figures| figures.method == wanted);
+    figures.and_then(|figures| figures.same_mesh_as).unwrap_or(wanted)
+}

@@ -1,0 +1,1 @@
+export { createProgramInfo, createBufferInfoFromArrays, setBuffersAndAttributes, setUniforms, drawBufferInfo, m4 } from "twgl.js";

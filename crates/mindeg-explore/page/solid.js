@@ -1,0 +1,122 @@
+// A surface in space: it is turned, meshed anew, filled or bridged, with before and after side by side.
+// From the scripts of the viewer: SpaceStage, make, pageColors, unpack, showDegreeLegend.
+
+import { angleText } from "./curve.js";
+import * as server from "./server.js";
+import { element, showTrouble } from "./show.js";
+
+/** The measure that colors triangles. */
+const MEASURE = { name: "min_angle", title: "Minimum angle", unit: "degrees", higher_is_better: true, logarithmic: false, range: [0, 60], goes_beyond: [false, false] };
+
+let file = null;
+let shownNow = [];
+
+/** Takes a file with a surface, and shows it in place of the boundary. */
+export async function beginSolid(dropped) {
+  file = dropped;
+  document.body.classList.add("solid");
+  element("solid").hidden = false;
+  element("title").textContent = file.name;
+  element("facts").textContent = "A surface in space";
+  await show("nothing");
+}
+
+/** Goes back to boundaries. */
+export function endSolid() {
+  file = null;
+  document.body.classList.remove("solid");
+  element("solid").hidden = true;
+  element("solid-meshes").replaceChildren();
+  shownNow = [];
+}
+
+const loopsChosen = () => [...element("solid-loops").querySelectorAll("input:checked")].map(({ value }) => value).join(",");
+
+/** Shows the surface before and after a change. */
+async function show(change) {
+  const size = element("solid-size").valueAsNumber;
+  const more = { ...(change === "remesh" && size > 0 ? { size } : {}), ...(["fill", "bridge"].includes(change) ? { loops: loopsChosen() } : {}) };
+  element("solid-words").textContent = "Working …";
+  try {
+    const found = await server.solid(file, change, more);
+    if (change === "nothing") {
+      shownNow = [figure("Before", found)];
+      listLoops(found.loops);
+    } else {
+      shownNow = [shownNow[0], figure({ remesh: "Meshed anew", fill: "Filled", bridge: "Bridged" }[change], found)];
+    }
+    element("solid-meshes").replaceChildren(...shownNow.map(({ figure }) => figure));
+    for (const { draw } of shownNow) draw();
+    element("solid-words").textContent = found.words;
+    element("solid").dataset.change = change;
+    element("solid-download").hidden = change === "nothing";
+  } catch (error) {
+    element("solid-words").textContent = "";
+    showTrouble(error.message);
+  }
+}
+
+/** The figure of a surface, with a stage on which it is turned. */
+function figure(title, found) {
+  const box = make("figure", "mesh");
+  const caption = make("figcaption");
+  const numbers = make("p", "figures", `degree ${found.max_degree} · minimum angle ${angleText(found.min_angle)} · ${found.triangles} triangles`);
+  caption.append(make("h3", "", title), numbers);
+  const stage = make("div", "stage");
+  stage.tabIndex = 0;
+  stage.setAttribute("role", "application");
+  stage.setAttribute("aria-label", `${title}: drag or press arrows to turn`);
+  stage.append(make("canvas"), make("canvas"));
+  const readout = make("p", "readout");
+  box.append(caption, stage, readout);
+  const scene = {
+    positions: unpack(found.positions, Float32Array), triangles: unpack(found.corners, Uint32Array), degrees: unpack(found.degrees, Uint32Array),
+    values: { min_angle: unpack(found.min_angles, Float32Array), max_angle: unpack(found.max_angles, Float32Array) },
+    worst: found.worst_triangle, maxDegreeVertex: found.max_degree_vertex,
+  };
+  const space = new SpaceStage(stage, scene, {
+    told: (text, isSpoken) => {
+      readout.textContent = text;
+      if (isSpoken) element("spoken").textContent = text;
+    },
+    hasDots: () => true,
+  });
+  space.color(MEASURE);
+  const draw = () => {
+    stage.style.aspectRatio = "1.3";
+    space.resize();
+    space.look(pageColors());
+    space.draw();
+  };
+  new ResizeObserver(draw).observe(stage);
+  return { figure: box, draw };
+}
+
+function listLoops(loops) {
+  element("solid-loops").replaceChildren(...(loops.length ? [make("p", "note", "Loops of the boundary; without a choice, all are filled:")] : [make("p", "note", "The surface is closed.")]),
+    ...loops.slice(0, 50).map((words, index) => {
+      const label = make("label");
+      const box = make("input");
+      Object.assign(box, { type: "checkbox", value: String(index) });
+      label.append(box, ` ${words}`);
+      return label;
+    }));
+  element("solid-fill").disabled = !loops.length;
+  element("solid-bridge").disabled = loops.length < 2;
+}
+
+/** Makes the buttons work; `hand(blob, name)` gives a file to the browser. */
+export function startSolid(hand) {
+  for (const change of ["remesh", "fill", "bridge"]) element(`solid-${change}`).addEventListener("click", () => show(change));
+  element("solid-end").addEventListener("click", () => location.reload());
+  element("solid-download").addEventListener("click", async () => {
+    const change = element("solid").dataset.change;
+    const size = element("solid-size").valueAsNumber;
+    try {
+      const { blob, name } = await server.solidFile(file, change, element("solid-format").value, { loops: loopsChosen(), ...(size > 0 ? { size } : {}) });
+      hand(blob, name ?? "surface.obj");
+    } catch (error) {
+      showTrouble(error.message);
+    }
+  });
+}

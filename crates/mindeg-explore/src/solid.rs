@@ -1,0 +1,266 @@
+//! Surfaces in space: what a file holds, and what it becomes when it is meshed anew, filled or bridged.
+
+use std::path::PathBuf;
+
+use mindeg::bridge::bridge;
+use mindeg::fill::{FillOptions, fill};
+use mindeg::glam::DVec3;
+use mindeg::quality::TriangleQuality;
+use mindeg::remesh::{Remesh, remesh};
+use mindeg::{Loops, TriMesh};
+use mindeg_answers::loops::{BridgeAnswer, FillAnswer, LoopName};
+use mindeg_answers::numbers::steady_angle;
+use mindeg_answers::remesh::RemeshAnswer;
+use mindeg_files::{Input, Session, WriteOptions, Writer};
+use mindeg_mesh::{Progress, Triangles};
+use serde::{Deserialize, Serialize};
+
+use crate::arrays::{f32s, u32s};
+use crate::download::Download;
+use crate::format::format_named;
+
+/// The most triangles that are shown.
+const MAX_TRIANGLES: usize = 400_000;
+
+/// What is done with a surface.
+#[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum Change {
+    /// Nothing.
+    #[default]
+    Nothing,
+    /// It is meshed anew.
+    Remesh,
+    /// Its holes are closed.
+    Fill,
+    /// Two of its loops are joined.
+    Bridge,
+}
+
+/// What is asked of a surface, beside the bytes of its file.
+#[derive(Clone, Debug, Deserialize)]
+pub(crate) struct Asked {
+    /// The name of the file, whose extension tells its format.
+    name: String,
+    #[serde(default)]
+    change: Change,
+    /// The edge length of a surface meshed anew.
+    size: Option<f64>,
+    /// The indices of the loops to fill or to join, with commas between; all without it.
+    #[serde(default)]
+    loops: String,
+    /// The format of a download.
+    #[serde(default)]
+    format: String,
+}
+
+/// A surface as the page draws it.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct SolidShown {
+    name: String,
+    /// What it is like, or what was done, in sentences.
+    words: String,
+    vertices: usize,
+    triangles: usize,
+    max_degree: u32,
+    /// In degrees.
+    min_angle: f64,
+    /// x, y and z of each vertex from the middle: `f32`, base64.
+    positions: String,
+    /// Three vertices each: `u32`, base64.
+    corners: String,
+    /// The degree of each vertex: `u32`, base64.
+    degrees: String,
+    /// The minimum and the maximum angle of each triangle: `f32`, base64.
+    min_angles: String,
+    max_angles: String,
+    worst_triangle: u32,
+    max_degree_vertex: u32,
+    /// Its boundary loops, in words.
+    loops: Vec<String>,
+}
+
+/// A surface with what was asked for.
+///
+/// # Errors
+///
+/// Why there is none, in a sentence.
+pub(crate) fn shown(
+    asked: &Asked,
+    bytes: &[u8],
+    progress: Progress<'_>,
+) -> Result<SolidShown, String> {
+    let (mesh, words) = changed(asked, bytes, progress)?;
+    if mesh.triangles().len() > MAX_TRIANGLES {
+        return Err(format!(
+            "the surface has {} triangles; the page shows up to {MAX_TRIANGLES}, mindeg view any number",
+            mesh.triangles().len()
+        ));
+    }
+    let positions = mesh.positions();
+    let ends = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    let (low, high) = positions.iter().fold(ends, |(low, high), &p| (low.min(p), high.max(p)));
+    let center = low / 2.0 + high / 2.0;
+    let quality = |triangle: &[u32; 3]| {
+        let [a, b, c] = triangle.map(|vertex| positions[vertex as usize]);
+        TriangleQuality::in_space(a, b, c)
+    };
+    let qualities: Vec<TriangleQuality> = mesh.triangles().iter().map(quality).collect();
+    let least = (0..qualities.len())
+        .min_by(|&a, &b| qualities[a].min_angle.total_cmp(&qualities[b].min_angle));
+    let degrees = mesh.degrees();
+    let max_degree = degrees.iter().copied().max().unwrap_or(0);
+    let min_angle = least.map_or(0.0, |worst| qualities[worst].min_angle);
+    let loops = Loops::of(&mesh);
+    let listed = loops.list().iter().enumerate();
+    let counts = format!(
+        "{} vertices, {} triangles, maximum degree {max_degree}, minimum angle {}.",
+        positions.len(),
+        qualities.len(),
+        steady_angle(min_angle)
+    );
+    Ok(SolidShown {
+        name: mesh.name().unwrap_or(&asked.name).to_owned(),
+        words: if words.is_empty() { counts } else { words },
+        vertices: positions.len(),
+        triangles: qualities.len(),
+        max_degree,
+        min_angle,
+        positions: f32s(positions.iter().flat_map(|&p| (p - center).to_array())),
+        corners: u32s(mesh.triangles().iter().flatten().copied()),
+        degrees: u32s(degrees.iter().copied()),
+        min_angles: f32s(qualities.iter().map(|quality| quality.min_angle)),
+        max_angles: f32s(qualities.iter().map(|quality| quality.max_angle)),
+        worst_triangle: least.unwrap_or(0) as u32,
+        max_degree_vertex: degrees.iter().position(|&it| it == max_degree).unwrap_or(0) as u32,
+        loops: listed.map(|(index, found)| LoopName::new(index, found).text()).collect(),
+    })
+}
+
+/// A file of a surface with what was asked for.
+///
+/// # Errors
+///
+/// Why there is none, in a sentence.
+pub(crate) fn file(
+    asked: &Asked,
+    bytes: &[u8],
+    progress: Progress<'_>,
+) -> Result<Download, String> {
+    let format = format_named(&asked.format)
+        .ok_or_else(|| format!("no format {:?} is written here", asked.format))?;
+    let (mesh, _) = changed(asked, bytes, progress)?;
+    let letters = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '-' };
+    let stem: String =
+        asked.name.split('.').next().unwrap_or("surface").chars().map(letters).collect();
+    let which = match asked.change {
+        Change::Nothing => "as-it-is",
+        Change::Remesh => "remeshed",
+        Change::Fill => "filled",
+        Change::Bridge => "bridged",
+    };
+    let path = PathBuf::from(format!("{stem}-{which}.{}", format.extension()));
+    let names: Vec<String> =
+        format.files(&path).iter().map(|path| path.display().to_string()).collect();
+    let written = || {
+        let writer = Writer::new(format, WriteOptions::default(), &mesh, mesh.triangle_count())?;
+        let mut contents = vec![Vec::new(); names.len()];
+        let mut files: Vec<(&str, &mut Vec<u8>)> =
+            names.iter().map(String::as_str).zip(&mut contents).collect();
+        writer.write(&mesh, &mut files, Progress::NONE)?;
+        Ok(contents)
+    };
+    let mut contents = written().map_err(|error: mindeg_files::WriteError| error.to_string())?;
+    Ok(Download { name: names[0].clone(), bytes: contents.swap_remove(0) })
+}
+
+/// The surface in a file with what was asked for, and what was done, in sentences.
+fn changed(
+    asked: &Asked,
+    bytes: &[u8],
+    progress: Progress<'_>,
+) -> Result<(TriMesh, String), String> {
+    let input = Input::Bytes(&asked.name, bytes);
+    let mesh = Session::new("").mesh(&input, None, progress).map_err(|error| error.to_string())?;
+    let indices = asked.loops.split(',').filter_map(|index| index.parse().ok());
+    let chosen: Vec<usize> = indices.collect();
+    let loops = Loops::of(&mesh);
+    let count = loops.list().len();
+    if let Some(index) = chosen.iter().find(|index| **index >= count) {
+        return Err(format!("there is no loop {}; the surface has {count}", index + 1));
+    }
+    match asked.change {
+        Change::Nothing => Ok((mesh, String::new())),
+        Change::Remesh => {
+            let wish = Remesh { size: asked.size, ..Remesh::default() };
+            let found = remesh(&mesh, &wish, progress).map_err(|error| error.to_string())?;
+            let answer = RemeshAnswer::of(&asked.name, &mesh, None, &found);
+            Ok((found.mesh, answer.text()))
+        }
+        Change::Fill => {
+            let options = FillOptions {
+                only: (!chosen.is_empty()).then_some(chosen),
+                ..FillOptions::default()
+            };
+            let result =
+                fill(mesh, &loops, &options, progress).map_err(|error| error.to_string())?;
+            if result.filled.is_empty() {
+                return Err("it has no hole to fill".to_owned());
+            }
+            let words = FillAnswer::of(&asked.name, &result, &loops).text(&options);
+            Ok((result.mesh, words))
+        }
+        Change::Bridge => {
+            let ends = match (&chosen[..], count) {
+                (&[from, to], _) => [from, to],
+                ([], 2) => [0, 1],
+                _ => return Err(format!("choose two of its {count} loops")),
+            };
+            let name = |index: usize| LoopName::new(index, &loops.list()[index]);
+            let names = ends.map(name);
+            let result = bridge((mesh, &loops), None, ends, None, progress)
+                .map_err(|error| error.to_string())?;
+            let [from, to] = names;
+            let words = BridgeAnswer::of(&result, from, to).text();
+            Ok((result.mesh, words))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A cube without its lid and its floor.
+    const TUBE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n\
+        f 1 2 6\nf 1 6 5\nf 2 3 7\nf 2 7 6\nf 3 4 8\nf 3 8 7\nf 4 1 5\nf 4 5 8\n";
+
+    fn asked(change: Change, loops: &str) -> Asked {
+        let name = "tube.obj".to_owned();
+        Asked { name, change, size: None, loops: loops.to_owned(), format: "obj".to_owned() }
+    }
+
+    #[test]
+    fn a_surface_is_told_and_changed() {
+        let bytes = TUBE.as_bytes();
+        let found = |change, loops| shown(&asked(change, loops), bytes, Progress::NONE);
+        let whole = found(Change::Nothing, "").unwrap();
+        assert_eq!((whole.vertices, whole.triangles, whole.loops.len()), (8, 8, 2));
+        assert_eq!(found(Change::Fill, "").unwrap().triangles, 12);
+        assert_eq!(found(Change::Fill, "1").unwrap().triangles, 10);
+        assert!(found(Change::Remesh, "").unwrap().min_angle > 20.0);
+        assert!(found(Change::Fill, "7").unwrap_err().contains("no loop 8"));
+        let file = file(&asked(Change::Fill, ""), bytes, Progress::NONE).unwrap();
+        assert_eq!(file.name, "tube-filled.obj");
+        assert!(file.bytes.starts_with(b"#") || !file.bytes.is_empty());
+    }
+
+    #[test]
+    fn two_loops_are_joined() {
+        // Two squares, one above the other.
+        let rings = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n\
+            f 3 2 1\nf 4 3 1\nf 5 6 7\nf 5 7 8\n";
+        let joined = shown(&asked(Change::Bridge, ""), rings.as_bytes(), Progress::NONE).unwrap();
+        assert_eq!((joined.triangles, joined.loops.len()), (12, 0));
+    }
+}
