@@ -38,12 +38,12 @@ function measureAnswers() {
   Worker.prototype.postMessage = function (message, ...more) {
     if (message.kind === "begin") {
       this.addEventListener("message", ({ data }) => {
-        if (data.line?.kind !== "mesh" || data.line.view !== "wanted" || !asked.has(data.id)) return;
-        window.waits.push(performance.now() - asked.get(data.id));
+        if (data.line?.kind !== "mesh" || !asked.has(data.id) || data.line.view !== asked.get(data.id).view) return;
+        window.waits.push(performance.now() - asked.get(data.id).time);
         asked.delete(data.id);
       });
     }
-    if (message.kind === "ask") asked.set(message.id, performance.now());
+    if (message.kind === "ask") asked.set(message.id, { time: performance.now(), view: message.request.view });
     return postMessage.call(this, message, ...more);
   };
 }

@@ -75,7 +75,8 @@ fn mesh_of(domain: &Domain, arguments: &MeshArguments, output: &[PathBuf]) -> Re
 
     let answer = MeshAnswer::of(&meshed, [angles.min, angles.max]);
     let advice = || {
-        let is_told = !arguments.goal.is_empty();
+        // Of polygons that are meshed one by one, each would have its own.
+        let is_told = !arguments.goal.is_empty() || arguments.separate;
         (!is_told).then(|| Advice::if_small(domain, &meshed, Progress::NONE))
     };
     made.say(|| text(&meshed, goal, &answer, advice()), || &answer)?;

@@ -206,6 +206,7 @@ class SpaceStage {
   fit() {
     this.camera.fit();
     this.camera.face([0.55, -0.7, 0.45], [0, 0, 1]);
+    this.find({});
     this.redraw();
   }
 
