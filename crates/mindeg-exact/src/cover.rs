@@ -21,12 +21,16 @@ use crate::progress::Stage;
 use crate::visibility;
 use mindeg_mesh::{Cancelled, Progress};
 use rows::{Candidates, Rows};
-pub(crate) use search::Order;
+pub(crate) use search::{Expected, Search};
 
 pub use decision::{Decision, Element, Literal, Refutation, SearchedAngle};
 
 /// The most candidate triangles that a search takes, some 150 MB.
 pub const MAX_CANDIDATES: usize = 1_000_000;
+
+/// The steps of the first turn of several searches, as a divisor of all; each turn is longer by a part of the one before.
+pub(crate) const FIRST_TURN: u64 = 64;
+pub(crate) const GROWTH: u64 = 8;
 
 /// The triangles that the triangulations of one face or of several may have.
 ///
@@ -131,15 +135,15 @@ impl Cover {
         progress: Progress<'_>,
     ) -> Result<Decision, Cancelled> {
         let mut left = steps;
-        self.decide_within(most_chords, least_tangents, Order::Chords, start, &mut left, progress)
+        self.decide_within(most_chords, least_tangents, start, &mut left, progress)
     }
 
-    /// [`decide`](Self::decide) in an order of variables, that takes its steps off those that are left.
+    /// [`decide`](Self::decide), which takes its steps off those that are left: a search that expects a mesh and one
+    /// that expects a refutation take turns.
     pub(crate) fn decide_within(
         &self,
         most_chords: &[u32],
         least_tangents: &[f64],
-        order: Order,
         start: &[Vec<[u32; 3]>],
         left: &mut u64,
         progress: Progress<'_>,
@@ -148,16 +152,34 @@ impl Cover {
         if ends < 2 * self.chord_count {
             return Ok(Decision::Refuted(Refutation { clauses: vec![Vec::new()] }));
         }
-        let rows = Rows::new(&self.faces, most_chords, least_tangents);
-        // Making them takes about as long.
-        *left = left.saturating_sub(self.candidate_count() as u64);
-        search::run(
-            &rows,
-            order,
-            start,
-            left,
-            &Stage::new(progress, "searching all triangulations"),
-        )
+        let stage = Stage::new(progress, "searching all triangulations");
+        let mut turn = (*left / FIRST_TURN).max(1);
+        let mut searches = [(Expected::Mesh, None), (Expected::Refutation, None)];
+        while *left > 0 {
+            for (expected, search) in &mut searches {
+                let begin = || self.search(most_chords, least_tangents, *expected, start);
+                let mut own = turn.min(*left);
+                *left -= own;
+                let found = search.get_or_insert_with(begin).decide(&mut own, &stage)?;
+                *left += own;
+                if found != Decision::Unknown {
+                    return Ok(found);
+                }
+            }
+            turn += turn / GROWTH;
+        }
+        Ok(Decision::Unknown)
+    }
+
+    /// One search, which goes on where it has stopped.
+    pub(crate) fn search(
+        &self,
+        most_chords: &[u32],
+        least_tangents: &[f64],
+        expected: Expected,
+        start: &[Vec<[u32; 3]>],
+    ) -> Search<'_> {
+        Search::new(Rows::new(&self.faces, most_chords, least_tangents), expected, start)
     }
 
     /// The tangents of the candidates' minimum angles above one, ascending, each once.

@@ -19,7 +19,8 @@ use std::sync::OnceLock;
 /// of 20,000 vertices has some 10^9, an L of 2,000 has 2.5 * 10^8.
 pub const MAX_TRIPLES: u64 = 4_000_000_000;
 
-/// The steps of searches with holes by default, some 10 seconds on one core.
+/// The steps of a search with holes by default, some 5 seconds on one core. What is between the bounds of a degree gets four
+/// times as many.
 pub const COVER_STEPS: u64 = 1_000_000_000;
 
 /// The largest external degree in windows, which take larger ones for this.
@@ -195,7 +196,7 @@ impl Problem {
         self.visible = OnceLock::new();
     }
 
-    /// Sets the most steps of all searches of a domain with holes together, in place of [`COVER_STEPS`].
+    /// Sets the most steps of a search of a domain with holes, in place of [`COVER_STEPS`].
     pub fn set_max_steps(&mut self, steps: u64) {
         self.max_steps = steps;
     }

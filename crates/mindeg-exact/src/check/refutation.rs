@@ -1,8 +1,11 @@
 //! A list of clauses as a proof that no triangulation keeps some limits, once more: the chords and triangles from
 //! the points alone, and each clause by setting whatever has no choice left.
 //!
-//! There is one kind of row, *at most so many of these literals hold*; *exactly one* is two rows. Clauses are many and
-//! long, so two literals of each are watched that are not false, or were false last.
+//! There is one kind of row, *at most so many of these literals hold*; *exactly one* is two rows. Of two chords that
+//! cross one holds at most; which cross is found when a chord holds for the first time. Clauses are many and long, so two
+//! literals of each are watched that are not false, or were false last.
+
+mod crossing;
 
 use super::CheckedOutline;
 use crate::cover::{Element, Literal, Refutation};
@@ -58,7 +61,7 @@ pub fn refutes(faces: &[CheckedFace<'_>], most_chords: &[u32], refutation: &Refu
     if most_chords.iter().map(|&most| u64::from(most)).sum::<u64>() < needed {
         return true;
     }
-    let mut table = Table::default();
+    let mut table = Table::of(faces);
     let mut chords_at = vec![Vec::new(); most_chords.len()];
     for (index, face) in (0..).zip(faces) {
         table.add_face(index, face, &mut chords_at);
@@ -74,9 +77,16 @@ pub fn refutes(faces: &[CheckedFace<'_>], most_chords: &[u32], refutation: &Refu
 type Code = usize;
 
 /// Rows of literals of which at most so many hold, and what follows from them.
-#[derive(Default)]
-struct Table {
+struct Table<'a> {
+    faces: &'a [CheckedFace<'a>],
     variables: BTreeMap<(u32, Element), Code>,
+    /// The chords, with their faces and codes.
+    chords: Vec<(u32, [u32; 2], Code)>,
+    /// For each literal the index of its chord, if it is that a chord holds, and those that cross it, once they are known.
+    chord_of: Vec<Option<usize>>,
+    crossing: Vec<Option<Vec<u32>>>,
+    /// How many more of those may be kept.
+    space: usize,
     rows: Vec<Row>,
     clauses: Vec<Vec<Code>>,
     /// For each literal the clauses of which it is the first or second one.
@@ -98,7 +108,26 @@ struct Row {
     count: u32,
 }
 
-impl Table {
+impl<'a> Table<'a> {
+    fn of(faces: &'a [CheckedFace<'a>]) -> Self {
+        Self {
+            faces,
+            variables: BTreeMap::new(),
+            chords: Vec::new(),
+            chord_of: Vec::new(),
+            crossing: Vec::new(),
+            space: crossing::MOST,
+            rows: Vec::new(),
+            clauses: Vec::new(),
+            watched_by: Vec::new(),
+            rows_of: Vec::new(),
+            holds: Vec::new(),
+            held: Vec::new(),
+            counted: 0,
+            is_broken: false,
+        }
+    }
+
     /// The variables and rows of a face; adds its chords to those at the vertices of the whole.
     fn add_face(&mut self, index: u32, face: &CheckedFace<'_>, chords_at: &mut [Vec<Code>]) {
         let outline = &face.outline;
@@ -116,6 +145,9 @@ impl Table {
                 } else if outline.is_admissible([low, high]) {
                     joined[low as usize].push(high);
                     let code = self.add_variable(index, Element::Chord([low, high]));
+                    self.chord_of[code] = Some(self.chords.len());
+                    self.chords.push((index, [low, high], code));
+                    self.crossing.push(None);
                     for end in [low, high] {
                         chords_at[face.vertices[end as usize] as usize].push(code);
                     }
@@ -163,6 +195,7 @@ impl Table {
         let code = self.holds.len();
         self.variables.insert((face, element), code);
         self.holds.extend([false; 2]);
+        self.chord_of.extend([None; 2]);
         self.rows_of.extend([Vec::new(), Vec::new()]);
         self.watched_by.extend([Vec::new(), Vec::new()]);
         code
@@ -249,7 +282,7 @@ impl Table {
                     return false;
                 }
             }
-            if !self.follow_clauses(code ^ 1) {
+            if !self.exclude_crossing(code) || !self.follow_clauses(code ^ 1) {
                 return false;
             }
         }

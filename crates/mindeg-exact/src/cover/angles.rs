@@ -1,7 +1,7 @@
 //! The largest minimum angle under degree limits: a search for every threshold that bisection tries.
 
+use super::Cover;
 use super::decision::{Decision, SearchedAngle};
-use super::{Cover, Order};
 use crate::measure::{self, least_tangent};
 use crate::problem::Problem;
 use mindeg_mesh::{Cancelled, Progress};
@@ -41,14 +41,7 @@ impl Cover {
                 *steps -= left;
                 let (most, start) = (&limits.chords, [triangles.clone()]);
                 let tangents = [thresholds[next]];
-                let found = self.decide_within(
-                    most,
-                    &tangents,
-                    Order::Chords,
-                    &start,
-                    &mut left,
-                    progress,
-                )?;
+                let found = self.decide_within(most, &tangents, &start, &mut left, progress)?;
                 *steps += left;
                 let is_reached = matches!(found, Decision::Mesh(_));
                 match found {

@@ -319,6 +319,10 @@ impl<'a> Rows<'a> {
         self.chords as usize + self.triangles.len()
     }
 
+    pub(super) fn triangle_count(&self) -> usize {
+        self.triangles.len()
+    }
+
     pub(super) fn row_count(&self) -> usize {
         self.bounds.len()
     }
@@ -345,6 +349,28 @@ impl<'a> Rows<'a> {
         let [face, triangle] = self.triangles[(variable - self.chords) as usize];
         let corners = self.faces[face as usize].triangles[triangle as usize].corners;
         Literal { face, element: Element::Triangle(corners), is_used }
+    }
+
+    /// The chords that cross one.
+    pub(super) fn crossing(&self, variable: u32) -> Vec<u32> {
+        let face = self.first_chords.partition_point(|&first| first <= variable) - 1;
+        let Candidates { points, chords, .. } = &self.faces[face];
+        let first = self.first_chords[face];
+        let [a, b] = chords[(variable - first) as usize];
+        let [p, q] = [a, b].map(|v| points[v as usize]);
+        let (low, high) = (p.min(q), p.max(q));
+        let side = |v: u32| orientation(p, q, points[v as usize]) > 0.0;
+        let crosses = |&[c, d]: &[u32; 2]| {
+            if c == a || c == b || d == a || d == b {
+                return false;
+            }
+            let [r, s] = [c, d].map(|v| points[v as usize]);
+            if r.min(s).cmpgt(high).any() || r.max(s).cmplt(low).any() {
+                return false;
+            }
+            side(c) != side(d) && (orientation(r, s, p) > 0.0) != (orientation(r, s, q) > 0.0)
+        };
+        (first..).zip(chords).filter(|(_, chord)| crosses(chord)).map(|(it, _)| it).collect()
     }
 
     /// The variables of the chords and triangles that given triangles of each face have.

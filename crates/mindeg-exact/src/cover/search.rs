@@ -1,6 +1,6 @@
 //! The search for values that keep all rows: unit propagation, a clause from every conflict.
 //!
-//! A row counts how many of its literals hold and how many do not; when one of the counts reaches its bound, the
+//! A row counts how many of its literals may still hold and how many may still not; when one of the counts is 0, the
 //! others follow. A conflict is traced back to the first literal of its level that implies it with those of
 //! earlier levels (the first unique implication point); the clause that says so is learned, and the search goes
 //! back to where it has one free literal. Learned clauses watch two of their literals.
@@ -10,10 +10,13 @@ use super::rows::{Code, Rows};
 use crate::progress::Stage;
 use mindeg_mesh::Cancelled;
 
+mod crossing;
 mod heap;
 mod learning;
+mod propagation;
 mod restarts;
 
+use crossing::Crossing;
 use heap::Heap;
 use restarts::Restarts;
 
@@ -21,8 +24,8 @@ use restarts::Restarts;
 const FIRST_CLAUSES: usize = 4000;
 const MORE_CLAUSES: usize = 1000;
 
-/// The most words that clauses and their origins take: 256 MB.
-const MOST_WORDS: usize = 1 << 26;
+/// The most words that clauses and their origins take: 128 MB.
+const MOST_WORDS: usize = 1 << 25;
 
 /// Conflicts from one report of progress to the next.
 const REPORT: u64 = 64;
@@ -30,31 +33,13 @@ const REPORT: u64 = 64;
 /// Activities are scaled down when they exceed this.
 const MOST_ACTIVITY: f64 = 1e100;
 
-/// The variables that the search decides first. Chords first mostly takes fewer steps, but now and then far more.
+/// What a search expects to find. It decides about chords first, and about the more active of them, and tries:
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Order {
-    /// Chords, the more active before others.
-    Chords,
-    /// The more active ones, chord or triangle.
-    Active,
-}
-
-/// Looks for values that keep all rows, at first those of a mesh; takes its steps off those that are left.
-pub(super) fn run(
-    rows: &Rows<'_>,
-    order: Order,
-    start: &[Vec<[u32; 3]>],
-    left: &mut u64,
-    stage: &Stage<'_>,
-) -> Result<Decision, Cancelled> {
-    let mut search = Search::new(rows, order);
-    for variable in rows.variables_of(start) {
-        search.phases[variable as usize] = true;
-    }
-    let most = *left;
-    let decision = search.decide(most, stage);
-    *left = most.saturating_sub(search.steps);
-    decision
+pub(crate) enum Expected {
+    /// The last value, at first that of a given mesh.
+    Mesh,
+    /// That it is used. More follows from that, so the clauses are short.
+    Refutation,
 }
 
 /// Why a variable has its value.
@@ -68,6 +53,8 @@ enum Reason {
     Most(u32),
     /// As many literals of a row do not hold as may not.
     Least(u32),
+    /// These two chords cross.
+    Crossing([u32; 2]),
 }
 
 /// A learned clause.
@@ -82,13 +69,18 @@ struct Clause {
     is_watched: bool,
 }
 
-struct Search<'a> {
-    rows: &'a Rows<'a>,
+/// A search that can go on where it has stopped.
+pub(crate) struct Search<'a> {
+    rows: Rows<'a>,
+    expected: Expected,
     /// For each variable the rows with it: twice the row, and one more where it is negated.
     row_starts: Vec<u32>,
     rows_of: Vec<u32>,
-    /// For each row the literals that hold, and those that do not, of the trail up to `head`.
-    counts: Vec<[u32; 2]>,
+    /// For each row how many of its literals may hold, and how many may not, beyond those of the trail up to `head`.
+    /// A negative number is a conflict.
+    rooms: Vec<[i32; 2]>,
+    /// Rows of which one of the two has just become 0, as in `rows_of`.
+    full: Vec<u32>,
     /// For each literal whether it holds (1), its negation (-1), or neither.
     values: Vec<i8>,
     reasons: Vec<Reason>,
@@ -104,8 +96,9 @@ struct Search<'a> {
     /// Their origins: twice a clause, or twice a variable and one more.
     origins: Vec<u32>,
     watched: usize,
-    /// For each literal the clauses that watch it.
-    watches: Vec<Vec<u32>>,
+    /// For each literal the clauses that watch it, each with another literal of the clause: while that holds, the
+    /// clause does.
+    watches: Vec<Vec<[u32; 2]>>,
     heap: Heap,
     step_of_activity: f64,
     step_of_clauses: f64,
@@ -115,10 +108,15 @@ struct Search<'a> {
     best_len: usize,
     is_seen: Vec<bool>,
     steps: u64,
+    restarts: Restarts,
+    most_clauses: usize,
+    is_begun: bool,
+    crossing: Crossing,
 }
 
 impl<'a> Search<'a> {
-    fn new(rows: &'a Rows<'a>, order: Order) -> Self {
+    /// A search that tries the values of a mesh first.
+    pub(super) fn new(rows: Rows<'a>, expected: Expected, start: &[Vec<[u32; 3]>]) -> Self {
         let (variables, count) = (rows.variable_count(), rows.row_count());
         let mut row_starts = vec![0_u32; variables + 1];
         for row in 0..count as u32 {
@@ -136,11 +134,20 @@ impl<'a> Search<'a> {
                 *at += 1;
             }
         }
+        let room = |row: u32| {
+            let [least, most] = rows.bounds(row);
+            [most as i32, rows.literals(row).len() as i32 - least as i32]
+        };
+        let mut phases = vec![false; variables];
+        for variable in rows.variables_of(start) {
+            phases[variable as usize] = true;
+        }
         Self {
-            rows,
+            expected,
             row_starts,
             rows_of,
-            counts: vec![[0; 2]; count],
+            rooms: (0..count as u32).map(room).collect(),
+            full: Vec::new(),
             values: vec![0; 2 * variables],
             reasons: vec![Reason::Decided; variables],
             levels: vec![0; variables],
@@ -153,59 +160,101 @@ impl<'a> Search<'a> {
             origins: Vec::new(),
             watched: 0,
             watches: vec![Vec::new(); 2 * variables],
-            heap: Heap::new(variables as u32, if order == Order::Chords { rows.chords } else { 0 }),
+            heap: Heap::new(variables as u32, rows.chords),
             step_of_activity: 1.0,
             step_of_clauses: 1.0,
-            phases: vec![false; variables],
-            best: vec![false; variables],
+            best: phases.clone(),
+            phases,
             best_len: 0,
             is_seen: vec![false; variables],
-            steps: 0,
+            // Making the rows takes about as long.
+            steps: rows.triangle_count() as u64,
+            restarts: Restarts::new(),
+            most_clauses: FIRST_CLAUSES,
+            is_begun: false,
+            crossing: Crossing::new(rows.chords),
+            rows,
         }
     }
 
-    fn decide(&mut self, most_steps: u64, stage: &Stage<'_>) -> Result<Decision, Cancelled> {
+    /// Goes on until it has decided or the steps are used up, and takes its own off them.
+    pub(crate) fn decide(
+        &mut self,
+        left: &mut u64,
+        stage: &Stage<'_>,
+    ) -> Result<Decision, Cancelled> {
+        // Those before the first call count, too.
+        let before = if self.is_begun { self.steps } else { 0 };
+        let decision = self.decide_until(before, before.saturating_add(*left), stage);
+        // Without space it never decides.
+        *left = if self.is_full() { 0 } else { left.saturating_sub(self.steps - before) };
+        decision
+    }
+
+    fn is_full(&self) -> bool {
+        self.words.len() + self.origins.len() > MOST_WORDS
+    }
+
+    /// The conflict of a row that leaves no choice from the start.
+    fn begin(&mut self) -> Option<Reason> {
+        self.is_begun = true;
         for row in 0..self.rows.row_count() as u32 {
-            let [least, most] = self.rows.bounds(row);
-            let len = self.rows.literals(row).len() as u32;
-            if len < least {
-                return Ok(self.refuted(Reason::Least(row)));
+            let [may_hold, may_not] = self.rooms[row as usize];
+            if may_not < 0 {
+                return Some(Reason::Least(row));
             }
-            if most == 0 {
+            if may_hold == 0 {
                 self.complete(row, false);
             }
-            if len == least {
+            if may_not == 0 {
                 self.complete(row, true);
             }
             // Rows of one literal may contradict each other.
         }
-        let mut restarts = Restarts::new();
-        let mut most_clauses = FIRST_CLAUSES;
+        None
+    }
+
+    fn decide_until(
+        &mut self,
+        before: u64,
+        most_steps: u64,
+        stage: &Stage<'_>,
+    ) -> Result<Decision, Cancelled> {
+        if self.is_full() {
+            return Ok(Decision::Unknown);
+        }
+        if !self.is_begun
+            && let Some(conflict) = self.begin()
+        {
+            return Ok(self.refuted(conflict));
+        }
         loop {
             if let Some(conflict) = self.propagate() {
                 if self.level_starts.is_empty() {
                     return Ok(self.refuted(conflict));
                 }
                 self.keep_if_best();
-                restarts.count(self.learn(conflict));
-                if restarts.conflicts.is_multiple_of(REPORT) {
-                    stage.report(self.steps as f64 / most_steps.max(1) as f64)?;
+                let levels = self.learn(conflict);
+                self.restarts.count(levels);
+                if self.restarts.conflicts.is_multiple_of(REPORT) {
+                    let all = (most_steps - before).max(1) as f64;
+                    stage.report((self.steps - before) as f64 / all)?;
                 }
-                if self.steps > most_steps || self.words.len() + self.origins.len() > MOST_WORDS {
+                if self.steps > most_steps || self.is_full() {
                     return Ok(Decision::Unknown);
                 }
                 continue;
             }
-            if restarts.begins_calm() {
+            if self.restarts.begins_calm() {
                 self.back_to(0);
                 self.phases.copy_from_slice(&self.best);
                 self.best_len = 0;
             }
-            if restarts.is_due() {
-                self.back_to(0);
+            if self.restarts.is_due() {
+                self.restart();
             }
-            if self.watched > most_clauses {
-                most_clauses += MORE_CLAUSES;
+            if self.watched > self.most_clauses {
+                self.most_clauses += MORE_CLAUSES;
                 self.forget();
             }
             let Some(variable) = self.heap.pop(|variable| self.values[2 * variable as usize] == 0)
@@ -214,9 +263,21 @@ impl<'a> Search<'a> {
                 return Ok(Decision::Mesh(self.rows.mesh(holds)));
             };
             self.level_starts.push(self.trail.len() as u32);
-            let is_negated = u32::from(!self.phases[variable as usize]);
+            let is_used = self.expected == Expected::Refutation || self.phases[variable as usize];
+            let is_negated = u32::from(!is_used);
             self.set(2 * variable + is_negated, Reason::Decided);
         }
+    }
+
+    /// Begins anew, but keeps the levels whose decisions would come first again.
+    fn restart(&mut self) {
+        let Some(next) = self.heap.pop(|variable| self.values[2 * variable as usize] == 0) else {
+            return;
+        };
+        self.heap.put_back(next);
+        let is_kept = |&&start: &&u32| self.heap.is_before(self.trail[start as usize] / 2, next);
+        let kept = self.level_starts.iter().take_while(is_kept).count();
+        self.back_to(kept as u32);
     }
 
     /// Keeps the values of the trail if it is the longest.
@@ -241,105 +302,6 @@ impl<'a> Search<'a> {
         self.levels[variable] = self.level_starts.len() as u32;
         self.positions[variable] = self.trail.len() as u32;
         self.trail.push(code);
-    }
-
-    /// Sets what is left of a row: all to hold, or none.
-    fn complete(&mut self, row: u32, holds: bool) {
-        let rows = self.rows;
-        let literals = rows.literals(row);
-        self.steps += literals.len() as u64;
-        let reason = if holds { Reason::Least(row) } else { Reason::Most(row) };
-        for &code in literals {
-            if self.value(code) == 0 {
-                self.set(code ^ u32::from(!holds), reason);
-            }
-        }
-    }
-
-    /// Sets what follows; the row or clause that is broken, if one is.
-    fn propagate(&mut self) -> Option<Reason> {
-        while let Some(&code) = self.trail.get(self.head) {
-            self.head += 1;
-            let rows = self.row_starts[code as usize / 2]..self.row_starts[code as usize / 2 + 1];
-            self.steps += 1 + rows.len() as u64;
-            let mut broken = None;
-            for at in rows.clone() {
-                let entry = self.rows_of[at as usize];
-                let (row, is_lost) = (entry / 2, (entry ^ code) & 1);
-                self.counts[row as usize][is_lost as usize] += 1;
-                let ([held, lost], [least, most]) =
-                    (self.counts[row as usize], self.rows.bounds(row));
-                if held > most {
-                    broken = Some(Reason::Most(row));
-                } else if self.rows.literals(row).len() as u32 - lost < least {
-                    broken = Some(Reason::Least(row));
-                }
-            }
-            if broken.is_some() {
-                return broken;
-            }
-            for at in rows {
-                let entry = self.rows_of[at as usize];
-                let (row, is_lost) = (entry / 2, (entry ^ code) & 1 == 1);
-                let ([held, lost], [least, most]) =
-                    (self.counts[row as usize], self.rows.bounds(row));
-                let len = self.rows.literals(row).len() as u32;
-                if held + lost == len {
-                    continue;
-                }
-                if !is_lost && held == most {
-                    self.complete(row, false);
-                } else if is_lost && len - lost == least {
-                    self.complete(row, true);
-                }
-            }
-            let broken = self.propagate_clauses(code ^ 1);
-            if broken.is_some() {
-                return broken;
-            }
-        }
-        None
-    }
-
-    /// Sets what follows from the clauses that watch a literal that has become false.
-    fn propagate_clauses(&mut self, code: Code) -> Option<Reason> {
-        let mut watching = std::mem::take(&mut self.watches[code as usize]);
-        let (mut kept, mut broken) = (0, None);
-        for at in 0..watching.len() {
-            let index = watching[at];
-            watching[kept] = index;
-            kept += 1;
-            if broken.is_some() {
-                continue;
-            }
-            let Clause { start, len, .. } = self.clauses[index as usize];
-            let literals = &mut self.words[start as usize..(start + len) as usize];
-            if literals[0] == code {
-                literals.swap(0, 1);
-            }
-            self.steps += 2;
-            let first = literals[0];
-            if self.values[first as usize] == 1 {
-                continue;
-            }
-            let other = literals[2..].iter().position(|&other| self.values[other as usize] != -1);
-            if let Some(other) = other {
-                literals.swap(1, other + 2);
-                self.steps += other as u64;
-                self.watches[literals[1] as usize].push(index);
-                kept -= 1;
-                continue;
-            }
-            self.steps += u64::from(len);
-            if self.values[first as usize] == -1 {
-                broken = Some(Reason::Clause(index));
-            } else {
-                self.set(first, Reason::Clause(index));
-            }
-        }
-        watching.truncate(kept);
-        self.watches[code as usize] = watching;
-        broken
     }
 
     fn raise(&mut self, variable: u32) {
@@ -368,7 +330,7 @@ impl<'a> Search<'a> {
             if at < self.head {
                 for row in self.row_starts[variable]..self.row_starts[variable + 1] {
                     let entry = self.rows_of[row as usize];
-                    self.counts[entry as usize / 2][((entry ^ code) & 1) as usize] -= 1;
+                    self.rooms[entry as usize / 2][((entry ^ code) & 1) as usize] += 1;
                 }
             }
             self.values[code as usize] = 0;

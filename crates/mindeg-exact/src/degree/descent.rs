@@ -16,71 +16,100 @@ const PATIENCE: usize = 40;
 const SELDOM: u64 = 8;
 
 /// The costs of vertices in a round.
-struct Excess<'a> {
-    most_chords: &'a [u32],
+struct Excess {
+    most_chords: Vec<u32>,
     weights: Breakout,
     noise: Vec<u32>,
 }
 
-impl Excess<'_> {
+impl Excess {
     fn of(&self, vertex: usize, chords: u32) -> u32 {
         chords.saturating_sub(self.most_chords[vertex])
     }
 }
 
-impl Cost for Excess<'_> {
+impl Cost for Excess {
     fn vertex(&self, vertex: u32, chords: u32) -> u32 {
         let vertex = vertex as usize;
         self.weights.cost(vertex, self.of(vertex, chords)) + self.noise[vertex] * chords
     }
 }
 
-/// A triangulation in which no vertex has more chords than `most_chords` says, if the descent from these triangles
-/// meets one before many rounds pass without progress and within the steps that are left, off which it takes its own.
-/// The same input has the same answer on every machine.
-pub(super) fn descend(
-    problem: &Problem,
-    triangles: &[[u32; 3]],
-    most_chords: &[u32],
-    left: &mut u64,
-    stage: &Stage<'_>,
-) -> Result<Option<Vec<[u32; 3]>>, Cancelled> {
-    let vertices = most_chords.len();
-    let mut patch = Patch::of(problem, triangles);
-    let (weights, noise) = (Breakout::new(vertices), vec![0; vertices]);
-    let mut excess = Excess { most_chords, weights, noise };
-    let mut random = Random::new(0);
-    let (mut fewest, mut fewest_at) = (usize::MAX, 0);
-    for round in 0.. {
-        let is_crowded = |patch: &Patch<'_>, excess: &Excess<'_>, vertex: usize| {
-            excess.of(vertex, patch.chords(vertex as u32)) > 0
+/// A descent that can go on where it has stopped. The same input has the same answer on every machine.
+pub(super) struct Descent<'a> {
+    patch: Patch<'a>,
+    excess: Excess,
+    random: Random,
+    round: usize,
+    /// The smallest number of crowded vertices, and its round.
+    fewest: usize,
+    fewest_at: usize,
+}
+
+impl<'a> Descent<'a> {
+    /// A descent from these triangles to some in which no vertex has more chords than `most_chords` says.
+    pub(super) fn new(problem: &'a Problem, triangles: &[[u32; 3]], most_chords: Vec<u32>) -> Self {
+        let vertices = most_chords.len();
+        let (weights, noise) = (Breakout::new(vertices), vec![0; vertices]);
+        Self {
+            patch: Patch::of(problem, triangles),
+            excess: Excess { most_chords, weights, noise },
+            random: Random::new(0),
+            round: 0,
+            fewest: usize::MAX,
+            fewest_at: 0,
+        }
+    }
+
+    /// The triangles, if the descent meets them within the steps that are left, off which it takes its own, and before
+    /// many rounds pass without progress: from then on it takes no more steps.
+    pub(super) fn go_on(
+        &mut self,
+        left: &mut u64,
+        stage: &Stage<'_>,
+    ) -> Result<Option<Vec<[u32; 3]>>, Cancelled> {
+        let before = self.patch.steps();
+        let most = before.saturating_add(*left);
+        let found = loop {
+            let crowded = (0..self.excess.most_chords.len()).filter(|&it| self.is_crowded(it));
+            let crowded = crowded.count();
+            if crowded == 0 {
+                break Some(self.patch.triangles().to_vec());
+            }
+            if crowded < self.fewest {
+                (self.fewest, self.fewest_at) = (crowded, self.round);
+            }
+            // Longer than it took so far, and some rounds more.
+            let is_stuck = self.round > 2 * self.fewest_at + PATIENCE;
+            if is_stuck || self.patch.steps() >= most {
+                break None;
+            }
+            stage.report((self.patch.steps() - before) as f64 / *left as f64)?;
+            self.round();
         };
-        let crowded = (0..vertices).filter(|&vertex| is_crowded(&patch, &excess, vertex)).count();
-        if crowded == 0 {
-            *left = left.saturating_sub(patch.steps());
-            return Ok(Some(patch.triangles().to_vec()));
-        }
-        if crowded < fewest {
-            (fewest, fewest_at) = (crowded, round);
-        }
-        // Longer than it took so far, and some rounds more.
-        if patch.steps() >= *left || round > 2 * fewest_at + PATIENCE {
-            break;
-        }
-        stage.report(patch.steps() as f64 / *left as f64)?;
-        excess.noise.fill_with(|| Breakout::noise(random.bits()));
-        for vertex in 0..vertices {
-            let chance = random.bits();
-            if is_crowded(&patch, &excess, vertex) || chance.is_multiple_of(SELDOM) {
+        *left = left.saturating_sub(self.patch.steps() - before);
+        Ok(found)
+    }
+
+    fn is_crowded(&self, vertex: usize) -> bool {
+        self.excess.of(vertex, self.patch.chords(vertex as u32)) > 0
+    }
+
+    fn round(&mut self) {
+        let random = &mut self.random;
+        self.excess.noise.fill_with(|| Breakout::noise(random.bits()));
+        for vertex in 0..self.excess.most_chords.len() {
+            let chance = self.random.bits();
+            if self.is_crowded(vertex) || chance.is_multiple_of(SELDOM) {
                 let (skip, size) =
-                    ((chance >> 32) as u32, Breakout::SIZES[round % Breakout::SIZES.len()]);
-                patch.improve(Block { vertex: vertex as u32, skip, size }, &excess);
+                    ((chance >> 32) as u32, Breakout::SIZES[self.round % Breakout::SIZES.len()]);
+                self.patch.improve(Block { vertex: vertex as u32, skip, size }, &self.excess);
             }
         }
-        excess.weights.end_round(|vertex| patch.chords(vertex as u32) > most_chords[vertex]);
+        let Self { patch, excess: Excess { most_chords, weights, .. }, .. } = self;
+        weights.end_round(|vertex| patch.chords(vertex as u32) > most_chords[vertex]);
+        self.round += 1;
     }
-    *left = left.saturating_sub(patch.steps());
-    Ok(None)
 }
 
 #[cfg(test)]
@@ -99,7 +128,8 @@ mod tests {
             Problem::triangulated(&PlanarBoundary::new(&[points]).unwrap(), &fan).unwrap();
         let stage = Stage::new(Progress::NONE, "testing");
         let reach = |most: u32, mut left: u64| {
-            let found = descend(&problem, &fan, &[most; 24], &mut left, &stage).unwrap();
+            let mut descent = Descent::new(&problem, &fan, vec![most; 24]);
+            let found = descent.go_on(&mut left, &stage).unwrap();
             (found, left)
         };
         let (found, left) = reach(2, 10_000_000);

@@ -1,10 +1,10 @@
 //! The least maximum degree of a domain with holes: what windows reach, bounds, strips, and then searches.
 
-use super::descent::descend;
+use super::descent::Descent;
 use super::{DegreeRange, LowerBound, Reached, by_windows, counting_bound};
 use crate::annulus;
 use crate::apex::apex_bound;
-use crate::cover::{Cover, Decision, Order};
+use crate::cover::{Cover, Decision, Expected, FIRST_TURN, GROWTH, Search};
 use crate::linked::Linked;
 use crate::problem::Problem;
 use crate::progress::Stage;
@@ -66,7 +66,7 @@ impl DegreeRange {
             let cover = cover.as_ref().ok_or(Unsolved::Undecided)?;
             let start = [self.triangles.clone()];
             let most = &limits.chords;
-            match cover.decide_within(most, &[0.0], Order::Chords, &start, &mut steps, progress)? {
+            match cover.decide_within(most, &[0.0], &start, &mut steps, progress)? {
                 Decision::Mesh(faces) => self.reach(problem, faces.concat()),
                 Decision::Refuted(_) => return Err(Unsolved::VertexLimits),
                 Decision::Unknown => return Err(Unsolved::Undecided),
@@ -79,69 +79,68 @@ impl DegreeRange {
     }
 }
 
-/// One way to close a gap. Each is taken until it fails, and then the next.
+/// The ways together take so many times the steps of one search.
+const TIMES: u64 = 4;
+
+/// The ways to close a gap, which take turns. Each goes on where it has stopped, so none waits long for another.
 #[derive(Clone, Copy, PartialEq)]
 enum Way {
-    /// A short search at the lower bound: most that can be decided it decides.
-    Short,
-    /// Descent to the next smaller degree.
-    Descent,
-    /// A long search at the lower bound.
-    Long,
-    /// A search for the next smaller degree, in another order of decisions.
-    Other,
+    /// A search at the lower bound, which expects a refutation.
+    Refute,
+    /// A descent to the next smaller degree.
+    Descend,
+    /// A search for the next smaller degree, which expects a mesh.
+    Mesh,
 }
 
 impl Way {
-    const ALL: [Self; 4] = [Self::Short, Self::Descent, Self::Long, Self::Other];
-
-    /// The part of the steps that are left, as a divisor.
-    fn share(self) -> u64 {
-        match self {
-            Self::Short => 32,
-            Self::Descent => 8,
-            Self::Long | Self::Other => 2,
-        }
-    }
+    const TURNS: [Self; 4] = [Self::Refute, Self::Descend, Self::Refute, Self::Mesh];
 }
 
-/// Closes a gap as far as the steps suffice, from the lower bound up.
+/// Closes a gap as far as the steps suffice.
 fn close(
     problem: &Problem,
     cover: &Cover,
     range: &mut DegreeRange,
-    mut steps: u64,
+    steps: u64,
     progress: Progress<'_>,
 ) -> Result<(), Unsolved> {
-    let mut ways = Way::ALL.into_iter();
-    let mut way = ways.next();
-    while let Some(taken) = way
-        && !range.is_decided(problem)
-        && steps > 1
-    {
-        let next = match taken {
-            Way::Short | Way::Long => range.lower_bound,
-            Way::Descent | Way::Other => range.max_degree - 1,
-        };
+    let mut steps = steps.saturating_mul(TIMES);
+    let mut turn = (steps / FIRST_TURN).max(1);
+    // The work of each way that is under way, with its degree.
+    let (mut refuting, mut meshing): (Option<(u32, Search<'_>)>, Option<(u32, Search<'_>)>) =
+        (None, None);
+    let mut descent: Option<(u32, Descent<'_>)> = None;
+    for way in Way::TURNS.into_iter().cycle() {
+        if range.is_decided(problem) || steps <= 1 {
+            break;
+        }
+        let next = if way == Way::Refute { range.lower_bound } else { range.max_degree - 1 };
         let degree = problem.wanted_degree.unwrap_or(next);
-        let Some(limits) = problem.degree_limits(degree) else { return Ok(()) };
-        let most = &limits.chords;
-        let mut left = steps.div_ceil(taken.share());
+        let Some(limits) = problem.degree_limits(degree) else { break };
+        let mut left = turn.min(steps);
         steps -= left;
-        let found = if taken == Way::Descent {
+        let found = if way == Way::Descend {
             let stage = Stage::new(progress, format!("looking for degree {degree}"));
-            let found = descend(problem, &range.triangles, most, &mut left, &stage)?;
+            let begin = || Descent::new(problem, &range.triangles, limits.chords);
+            let found = under_way(&mut descent, degree, begin).go_on(&mut left, &stage)?;
             found.map_or(Decision::Unknown, |triangles| Decision::Mesh(vec![triangles]))
         } else {
-            let order = if taken == Way::Other { Order::Active } else { Order::Chords };
+            let (search, expected) = match way {
+                Way::Refute => (&mut refuting, Expected::Refutation),
+                _ => (&mut meshing, Expected::Mesh),
+            };
             let start = [range.triangles.clone()];
-            cover.decide_within(most, &[0.0], order, &start, &mut left, progress)?
+            let begin = || cover.search(&limits.chords, &[0.0], expected, &start);
+            let stage = Stage::new(progress, "searching all triangulations");
+            under_way(search, degree, begin).decide(&mut left, &stage)?
         };
         steps += left;
+        turn += turn / GROWTH;
         match found {
             Decision::Mesh(faces) => {
                 range.reach(problem, faces.concat());
-                if taken == Way::Descent {
+                if way == Way::Descend {
                     range.reached_by = Reached::Descent;
                 }
             }
@@ -149,8 +148,14 @@ fn close(
                 range.lower_bound = degree + 1;
                 range.bounded_by = LowerBound::Refuted(refutation);
             }
-            Decision::Unknown => way = ways.next(),
+            Decision::Unknown => {}
         }
     }
     Ok(())
+}
+
+/// The work at a degree, begun anew unless it is under way.
+fn under_way<T>(work: &mut Option<(u32, T)>, degree: u32, begin: impl FnOnce() -> T) -> &mut T {
+    let other = work.take().filter(|(of, _)| *of == degree);
+    &mut work.insert(other.unwrap_or_else(|| (degree, begin()))).1
 }

@@ -61,7 +61,8 @@ impl Heap {
         self.activities.iter_mut().for_each(|activity| *activity *= by);
     }
 
-    fn is_before(&self, a: u32, b: u32) -> bool {
+    /// Whether a variable comes before another.
+    pub(super) fn is_before(&self, a: u32, b: u32) -> bool {
         let key = |variable: u32| (variable < self.chords, self.activities[variable as usize]);
         key(a) > key(b) || (key(a) == key(b) && a < b)
     }

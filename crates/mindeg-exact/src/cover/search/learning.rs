@@ -34,6 +34,11 @@ impl Search<'_> {
                 );
                 return;
             }
+            Reason::Crossing(chords) => {
+                let other = |&chord: &u32| Some(2 * chord + 1) != implied;
+                causes.extend(chords.iter().filter(|it| other(it)).map(|chord| 2 * chord));
+                return;
+            }
             Reason::Most(row) => (row, self.rows.bounds(row)[1] as usize + more, 0),
             Reason::Least(row) => {
                 let least = self.rows.bounds(row)[0] as usize;
@@ -117,8 +122,8 @@ impl Search<'_> {
         let index = self.clauses.len() as u32;
         let is_watched = clause.len() > 1;
         if is_watched {
-            self.watches[clause[0] as usize].push(index);
-            self.watches[clause[1] as usize].push(index);
+            self.watches[clause[0] as usize].push([index, clause[1]]);
+            self.watches[clause[1] as usize].push([index, clause[0]]);
             self.watched += 1;
         }
         let (start, len) = (self.words.len() as u32, clause.len() as u32);
@@ -136,42 +141,65 @@ impl Search<'_> {
         levels
     }
 
-    /// Leaves out the literals of a clause that its others imply.
+    /// Leaves out the literals of a clause that its others imply, directly or by others that they imply.
     fn shorten(&mut self, clause: &mut Vec<Code>, marked: &mut Vec<u32>) {
-        let mut causes = Vec::new();
-        let (mut kept, mut facts) = (1, Vec::new());
+        let mut levels: Vec<u32> = clause[1..].iter().map(|code| self.level(*code)).collect();
+        levels.sort_unstable();
+        let mut kept = 1;
         for at in 1..clause.len() {
-            let code = clause[at];
-            let reason = self.reasons[code as usize / 2];
-            facts.clear();
-            let is_implied = reason != Reason::Decided && {
-                self.causes(reason, Some(code ^ 1), &mut causes);
-                causes.iter().all(|&cause| {
-                    let variable = cause / 2;
-                    if self.levels[variable as usize] == 0 {
-                        facts.push(variable);
-                        return true;
-                    }
-                    self.is_seen[variable as usize]
-                })
-            };
-            if !is_implied {
-                clause[kept] = code;
+            if !self.is_implied(clause[at], &levels, marked) {
+                clause[kept] = clause[at];
                 kept += 1;
-                continue;
-            }
-            if let Reason::Clause(index) = reason {
-                self.origins.push(2 * index);
-            }
-            for &variable in &facts {
-                if !self.is_seen[variable as usize] {
-                    self.is_seen[variable as usize] = true;
-                    marked.push(variable);
-                    self.origins.push(2 * variable + 1);
-                }
             }
         }
         clause.truncate(kept);
+    }
+
+    /// Whether the marked literals, which hold, imply the negation of one that does not; if so, it marks those between
+    /// and takes note of what they follow from.
+    fn is_implied(&mut self, code: Code, levels: &[u32], marked: &mut Vec<u32>) -> bool {
+        let (first_mark, first_origin) = (marked.len(), self.origins.len());
+        let mut open = vec![code ^ 1];
+        let mut causes = Vec::new();
+        while let Some(implied) = open.pop() {
+            let reason = self.reasons[implied as usize / 2];
+            if let Reason::Clause(index) = reason {
+                self.origins.push(2 * index);
+            }
+            self.causes(reason, Some(implied), &mut causes);
+            let mut is_stuck = reason == Reason::Decided;
+            for &cause in &causes {
+                let variable = cause / 2;
+                if self.is_seen[variable as usize] {
+                    continue;
+                }
+                let level = self.levels[variable as usize];
+                if level == 0 {
+                    self.origins.push(2 * variable + 1);
+                } else if self.reasons[variable as usize] == Reason::Decided
+                    || levels.binary_search(&level).is_err()
+                {
+                    is_stuck = true;
+                    break;
+                } else {
+                    open.push(cause);
+                }
+                self.is_seen[variable as usize] = true;
+                marked.push(variable);
+            }
+            if is_stuck {
+                for variable in marked.drain(first_mark..) {
+                    self.is_seen[variable as usize] = false;
+                }
+                self.origins.truncate(first_origin);
+                return false;
+            }
+        }
+        true
+    }
+
+    fn level(&self, code: Code) -> u32 {
+        self.levels[code as usize / 2]
     }
 
     /// Takes half of the clauses away that imply no value now: those that join most levels, and of equals the less
@@ -195,7 +223,7 @@ impl Search<'_> {
         }
         self.watched -= free.len();
         for list in &mut self.watches {
-            list.retain(|&index| self.clauses[index as usize].is_watched);
+            list.retain(|&[index, _]| self.clauses[index as usize].is_watched);
         }
     }
 
