@@ -111,10 +111,11 @@ fn close(
     let (mut refuting, mut meshing): (Option<(u32, Search<'_>)>, Option<(u32, Search<'_>)>) =
         (None, None);
     let mut descent: Option<(u32, Descent<'_>)> = None;
-    for way in Way::TURNS.into_iter().cycle() {
-        if range.is_decided(problem) || steps <= 1 {
-            break;
-        }
+    let mut ways = Way::TURNS.into_iter().cycle().peekable();
+    while let Some(&way) = ways.peek()
+        && !range.is_decided(problem)
+        && steps > 1
+    {
         let next = if way == Way::Refute { range.lower_bound } else { range.max_degree - 1 };
         let degree = problem.wanted_degree.unwrap_or(next);
         let Some(limits) = problem.degree_limits(degree) else { break };
@@ -148,7 +149,8 @@ fn close(
                 range.lower_bound = degree + 1;
                 range.bounded_by = LowerBound::Refuted(refutation);
             }
-            Decision::Unknown => {}
+            // While a way decides, it goes on.
+            Decision::Unknown => drop(ways.next()),
         }
     }
     Ok(())
