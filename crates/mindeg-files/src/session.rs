@@ -140,7 +140,7 @@ impl Session {
     fn refuse(&self, name: &str, path: &Path, metadata: &Metadata) -> Result<(), FileError> {
         let Some(identity) = identity(path, metadata) else { return Ok(()) };
         let inputs = self.inputs();
-        let Some(input) = inputs.iter().find(|input| input.identity == Some(identity.clone()))
+        let Some(input) = inputs.iter().find(|input| input.identity.as_ref() == Some(&identity))
         else {
             return Ok(());
         };
