@@ -175,16 +175,19 @@ fn a_model_may_come_by_standard_input() {
 }
 
 #[test]
-fn degrees_of_faces_with_interior_points_are_told_over_all_and_within_one() {
+fn degrees_over_all_faces_with_interior_points_are_told() {
     let folder = tempfile::tempdir().expect("a folder");
     let files = [folder.path().join("part.obj")];
     let run = mesh(&model("bracket.json"), &files, &["--interior"]);
     let summary = run.json();
-    let degrees = [&summary["max_degree"], &summary["max_face_degree"]];
-    let [total, within] = degrees.map(|degree| degree.as_u64().expect("a degree"));
-    assert!(within <= total && within >= 5, "{summary}");
-    let told = format!("maximum degree {total} over all faces and {within} within one");
-    assert!(run.errors.contains(&told), "{}", run.errors);
+    let total = summary["max_degree"].as_u64().expect("a degree");
+    assert_eq!((total, &summary["out_of_range"]), (7, &json!([])), "{summary}");
+    assert!(run.errors.contains("degrees 5 to 7, at the boundary 5 at most"), "{}", run.errors);
+    // The same by the checker, at no distance.
+    let part = folder.path().join("faces.obj");
+    mesh(&model("bracket.json"), std::slice::from_ref(&part), &["--quiet"]);
+    let checked = mindeg(["verify", text(&files[0]), "--surface", text(&part), "--tolerance", "0"]);
+    assert_eq!(checked.code, Some(0), "{checked:?}");
     assert_eq!(inspected(&files[0])["max_degree"], total);
 }
 

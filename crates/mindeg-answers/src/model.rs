@@ -57,8 +57,8 @@ enum Known {
     /// With interior points.
     Filled {
         interior_points: usize,
-        /// Within one face.
-        max_face_degree: u32,
+        /// The vertices off the boundary with other degrees than 5 to 7, and those on it with more than 5.
+        out_of_range: Vec<u32>,
     },
 }
 
@@ -109,11 +109,14 @@ impl ModelAnswer {
     /// The answer for a model whose faces have points inside.
     #[must_use]
     pub fn filled(model: &Model, filled: &FilledModel) -> Self {
-        let FilledModel { mesh, interior_points, max_degree, max_face_degree, .. } = filled;
+        let FilledModel { mesh, interior_points, max_degree, violations, .. } = filled;
         let known =
-            Known::Filled { interior_points: *interior_points, max_face_degree: *max_face_degree };
-        let degree =
-            format!("maximum degree {max_degree} over all faces and {max_face_degree} within one");
+            Known::Filled { interior_points: *interior_points, out_of_range: violations.clone() };
+        let degree = match violations.len() {
+            0 => "degrees 5 to 7, at the boundary 5 at most".to_owned(),
+            1 => format!("maximum degree {max_degree}, 1 vertex out of 5 to 7"),
+            count => format!("maximum degree {max_degree}, {count} vertices out of 5 to 7"),
+        };
         Self::new(model, mesh, (*max_degree, &degree), known, Vec::new())
     }
 

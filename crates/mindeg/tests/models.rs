@@ -6,6 +6,7 @@ mod solids;
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use mindeg::glam::DVec3;
 use mindeg::model::{JointBound, ModelMesh, fill_model, mesh_model};
 use mindeg::{Goal, Interior, Model, Progress, Side, TriMesh};
 use solids::Solid;
@@ -170,28 +171,38 @@ fn a_smaller_share_of_the_angle_allows_a_smaller_degree() {
     assert!(found[0] < found[1] && found[1] <= found[2], "{found:?}");
 }
 
+/// The vertices of a closed mesh with other degrees than 5 to 7, counted by its edges.
+fn out_of_range(mesh: &TriMesh) -> Vec<u32> {
+    let mut neighbors = BTreeMap::<u32, BTreeSet<u32>>::new();
+    for triangle in mesh.triangles() {
+        for vertex in triangle {
+            neighbors.entry(*vertex).or_default().extend(triangle.iter().filter(|v| *v != vertex));
+        }
+    }
+    let is_out = |all: &BTreeSet<u32>| !(5..=7).contains(&all.len());
+    neighbors.into_iter().filter(|(_, all)| is_out(all)).map(|(v, _)| v).collect()
+}
+
 #[test]
-fn a_filled_model_tells_its_points_and_the_degrees_of_its_faces() {
+fn degrees_of_filled_models_count_over_edges_and_corners() {
     let cube = Solid::block(1.0, 1.0, 1.0);
-    for intervals in [1, 4] {
+    for intervals in [3, 4, 9] {
         let model = cube.model(Side::count(intervals));
         let filled = fill_model(&model, &Interior::default(), Progress::NONE).unwrap();
         let points = filled.mesh.positions();
-        assert_eq!(filled.interior_points, points.len() - model.vertex_count() as usize);
-        // A face of the cube is where all three corners have one coordinate of 0 or of 1.
-        let is_on = |axis: usize, value: f64, vertex: u32| points[vertex as usize][axis] == value;
-        let faces = (0..3).flat_map(|axis| [0.0, 1.0].map(|value| (axis, value)));
-        let degrees = faces.flat_map(|(axis, value)| {
-            let mut neighbors = BTreeMap::<u32, BTreeSet<u32>>::new();
-            let triangles = filled.mesh.triangles().iter();
-            for triangle in triangles.filter(|t| t.iter().all(|&v| is_on(axis, value, v))) {
-                for &vertex in triangle {
-                    neighbors.entry(vertex).or_default().extend(triangle);
-                }
-            }
-            // Each is among its neighbors.
-            neighbors.into_values().map(|all| all.len() as u32 - 1)
-        });
-        assert_eq!(Some(filled.max_face_degree), degrees.max());
+        let given = model.positions();
+        assert_eq!(points[..given.len()], given);
+        assert_eq!(filled.interior_points, points.len() - given.len());
+        assert_eq!(filled.violations, out_of_range(&filled.mesh));
+        assert!(filled.violations.is_empty(), "{intervals}: {:?}", filled.violations);
+        assert!(filled.min_angle > 35.0, "{intervals}: {}", filled.min_angle);
+        // Points stay in their planes, and triangles face out.
+        for corners in filled.mesh.triangles() {
+            let [a, b, c] = corners.map(|v| points[v as usize]);
+            let is_on =
+                |axis: usize, value: f64| [a, b, c].iter().all(|p| (p[axis] - value).abs() < 1e-12);
+            assert!((0..3).any(|axis| is_on(axis, 0.0) || is_on(axis, 1.0)));
+            assert!((b - a).cross(c - a).dot(a - DVec3::splat(0.5)) > 0.0);
+        }
     }
 }

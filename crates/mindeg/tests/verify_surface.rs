@@ -170,7 +170,7 @@ fn star(points: u32, inner: f64) -> TriMesh {
     let count = 2 * points;
     let ring = |i: u32| {
         let turn = std::f64::consts::TAU * f64::from(i) / f64::from(count);
-        let radius = if i % 2 == 0 { 1.0 } else { inner };
+        let radius = if i.is_multiple_of(2) { 1.0 } else { inner };
         DVec3::new(radius * turn.cos(), radius * turn.sin(), 0.0)
     };
     let tips = [1.0, -1.0].map(|z| DVec3::new(0.0, 0.0, z));

@@ -1,5 +1,6 @@
 //! Surfaces in space: a mesh with degrees 5 to 7 that stays near a given surface and keeps its features.
 
+mod chains;
 mod guard;
 mod kept;
 #[cfg(test)]

@@ -5,6 +5,7 @@ use crate::goal::Weights;
 use crate::optimise::{Pairs, is_done, optimise};
 use crate::options::Options;
 use crate::stage::Stage;
+use crate::surface::chains::mend;
 use crate::surface::guard::is_far;
 use crate::surface::passes::passes;
 use crate::surface::reference::Reference;
@@ -133,6 +134,8 @@ impl From<Cancelled> for RemeshError {
 
 /// The tolerance without another wish, as a share of the size.
 const TOLERANCE: f64 = 0.2;
+/// How often degrees are mended by chains at most.
+const MENDED: usize = 3;
 /// The minimum angle aimed at without another wish, in degrees.
 const FLOOR: f64 = 35.0;
 
@@ -252,7 +255,13 @@ fn searched(
     let angles = Weights::pairs(wanted, floor);
     let pairs = Pairs { vertices: 150, firsts: 6, trials: 0, most: 30_000 };
     if !is_done(&mesh, &angles) {
-        optimise(&mut mesh, &angles, Some(pairs), stage)?;
+        for round in 0..MENDED {
+            // Chains mend degrees and cost angles.
+            if mend(&mut mesh, &angles, stage)? == 0 && round > 0 {
+                break;
+            }
+            optimise(&mut mesh, &angles, Some(pairs), stage)?;
+        }
         mesh = compacted(&mesh).map_err(RemeshError::BadMesh)?;
     }
     mesh.check().map_err(RemeshError::BadMesh)?;

@@ -242,22 +242,22 @@ fn check_flips(own: &Sides, part: &Sides, tolerance: f64, defects: &mut Vec<Mesh
     let tree = BoxTree::new(part.corners.iter().map(around).collect());
     let normal = |&[a, b, c]: &[DVec3; 3]| (b - a).cross(c - a);
     let found = map_chunks(0..own.corners.len(), 256, |chunk| {
-        let mut near = Vec::new();
         let is_flipped = |t: &usize| {
             let [a, b, c] = own.corners[*t];
-            let middle = (a + b + c) / 3.0;
-            let distance = |other: u32| distance_to(middle, &part.corners[other as usize]);
-            let nearest =
-                tree.nearest(middle, f64::INFINITY, |other| distance(other) * distance(other));
-            let reach =
-                tolerance.max(nearest.map_or(0.0, |(_, squared)| squared.sqrt()) * (1.0 + 1e-9));
-            near.clear();
-            let reach = DVec3::splat(reach);
-            tree.meet(Bounds { min: middle - reach, max: middle + reach }, &mut near);
-            let faces = |other: &u32| {
-                normal(&own.corners[*t]).dot(normal(&part.corners[*other as usize])) > 0.0
+            let (middle, facing) = ((a + b + c) / 3.0, normal(&own.corners[*t]));
+            let squared = |other: u32| {
+                let distance = distance_to(middle, &part.corners[other as usize]);
+                distance * distance
             };
-            !near.iter().any(|other| distance(*other) <= reach.x && faces(other))
+            let of_facing = |other: u32| match normal(&part.corners[other as usize]).dot(facing) {
+                cosine if cosine > 0.0 => squared(other),
+                _ => f64::INFINITY,
+            };
+            let nearest = tree.nearest(middle, f64::INFINITY, squared);
+            let nearest = nearest.map_or(0.0, |(_, squared)| squared.sqrt());
+            let reach = tolerance.max(nearest) * (1.0 + 1e-9);
+            // The nearest that faces the same way: of all within reach there may be very many.
+            tree.nearest(middle, reach * reach, of_facing).is_none()
         };
         chunk.filter(is_flipped).collect::<Vec<usize>>()
     });
