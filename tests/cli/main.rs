@@ -31,6 +31,7 @@ mod mesh;
 mod mesh_files;
 mod mistakes;
 mod models;
+mod ocean;
 mod outlines;
 #[cfg(unix)]
 mod outputs_that_are_inputs;

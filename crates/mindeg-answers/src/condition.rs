@@ -2,9 +2,11 @@
 
 use crate::numbers::{count, four_digits, steady_angle};
 use mindeg::Domain;
+use mindeg::glam::DVec2;
 use mindeg::interior::{ChangeKind, Conditioned, Reason};
 use schemars::JsonSchema;
 use serde::Serialize;
+use serde_json::{Value, json};
 use std::fmt::Write as _;
 
 /// The changes of a boundary, and the limits of its minimum angle before and after; angles are in degrees.
@@ -58,6 +60,9 @@ pub struct ChangeRow {
     pub kind: &'static str,
     /// Where.
     pub at: [f64; 2],
+    /// The same in degrees of longitude and latitude, if the domain was projected.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub degrees: Option<[f64; 2]>,
 }
 
 /// A place that stays below the demanded angle.
@@ -65,6 +70,9 @@ pub struct ChangeRow {
 pub struct LeftRow {
     /// Where.
     pub at: [f64; 2],
+    /// The same in degrees of longitude and latitude, if the domain was projected.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub degrees: Option<[f64; 2]>,
     /// The limit there.
     pub angle_limit: f64,
     /// Why, and what to do.
@@ -76,6 +84,7 @@ impl ConditionAnswer {
     #[must_use]
     pub fn of(before: &Domain, after: &Domain, conditioned: &Conditioned) -> Self {
         let count = |kind| conditioned.changes.iter().filter(|change| change.kind == kind).count();
+        let degrees = |at: DVec2| degrees(before, at);
         let change = |change: &mindeg::interior::BoundaryChange| {
             let kind = match change.kind {
                 ChangeKind::Dropped => "dropped",
@@ -83,7 +92,7 @@ impl ConditionAnswer {
                 ChangeKind::Cut => "cut",
                 ChangeKind::HoleDropped => "hole_dropped",
             };
-            ChangeRow { kind, at: change.at.to_array() }
+            ChangeRow { kind, at: change.at.to_array(), degrees: degrees(change.at) }
         };
         let left = |left: &mindeg::interior::Left| {
             let reason = match left.reason {
@@ -91,7 +100,8 @@ impl ConditionAnswer {
                 Reason::Kept => "its points are to stay: keep fewer",
                 Reason::Short => "its edges would get too short: allow a larger distance",
             };
-            LeftRow { at: left.at.to_array(), angle_limit: left.limit, reason }
+            let at = left.at.to_array();
+            LeftRow { at, degrees: degrees(left.at), angle_limit: left.limit, reason }
         };
         Self {
             points_before: before.rings().vertex_count(),
@@ -125,7 +135,10 @@ impl ConditionAnswer {
             plural(self.holes_dropped, "hole", "holes"),
         );
         let moved = if self.moved > 0.0 {
-            format!("It moved by {} at most", four_digits(self.moved))
+            // A projected domain is in metres.
+            let is_metric = self.changes.iter().any(|row| row.degrees.is_some());
+            let unit = if is_metric { " m" } else { "" };
+            format!("It moved by {}{unit} at most", four_digits(self.moved))
         } else {
             "It moved nowhere".to_owned()
         };
@@ -143,19 +156,65 @@ impl ConditionAnswer {
             );
         }
         for row in self.left.iter().take(MOST_LEFT) {
-            let [x, y] = row.at;
-            let _ = writeln!(
-                text,
-                "  at ({x}, {y}): {}; {}",
-                steady_angle(row.angle_limit),
-                row.reason
-            );
+            let place = match (row.degrees, row.at) {
+                (Some([x, y]), _) => format!("longitude {x}, latitude {y}"),
+                (None, [x, y]) => format!("({x}, {y})"),
+            };
+            let _ =
+                writeln!(text, "  at {place}: {}; {}", steady_angle(row.angle_limit), row.reason);
         }
         if self.left.len() > MOST_LEFT {
             let _ = writeln!(text, "  and {} more; --json lists all", self.left.len() - MOST_LEFT);
         }
         text
     }
+}
+
+impl ConditionAnswer {
+    /// Both boundaries, all changes and the places that are left as GeoJSON, to draw them on a map: polygons with the
+    /// property `boundary`, which is `before` or `after`, and points with the properties of their rows. In degrees if the domain
+    /// was projected.
+    #[must_use]
+    pub fn drawn(&self, before: &Domain, after: &Domain) -> Value {
+        let polygon = |boundary: &str, domain: &Domain| {
+            let rings = (0..domain.rings().ring_count()).map(|ring| {
+                let range = domain.rings().ring(ring);
+                let closed = range.clone().chain([range.start]);
+                let point = |vertex| domain.placement().point(vertex);
+                closed.map(|vertex| place(domain, point(vertex))).collect::<Vec<_>>()
+            });
+            let geometry = json!({"type": "Polygon", "coordinates": rings.collect::<Vec<_>>()});
+            json!({"type": "Feature", "properties": {"boundary": boundary}, "geometry": geometry})
+        };
+        let point = |at: [f64; 2], properties: Value| {
+            let geometry = json!({"type": "Point", "coordinates": at});
+            json!({"type": "Feature", "properties": properties, "geometry": geometry})
+        };
+        let changes = self
+            .changes
+            .iter()
+            .map(|row| point(row.degrees.unwrap_or(row.at), json!({"kind": row.kind})));
+        let left = self.left.iter().map(|row| {
+            let properties =
+                json!({"kind": "left", "angle_limit": row.angle_limit, "reason": row.reason});
+            point(row.degrees.unwrap_or(row.at), properties)
+        });
+        let boundaries = [polygon("before", before), polygon("after", after)];
+        let features: Vec<Value> = boundaries.into_iter().chain(changes).chain(left).collect();
+        json!({"type": "FeatureCollection", "features": features})
+    }
+}
+
+/// Degrees of longitude and latitude, to nine decimals, of a point of a projected domain.
+fn degrees(domain: &Domain, at: DVec2) -> Option<[f64; 2]> {
+    const DECIMALS: f64 = 1e9;
+    let degrees = domain.projection()?.to_degrees(at);
+    Some(degrees.to_array().map(|it| (it * DECIMALS).round() / DECIMALS))
+}
+
+/// The point, in degrees if there are any.
+fn place(domain: &Domain, at: DVec2) -> [f64; 2] {
+    degrees(domain, at).unwrap_or(at.to_array())
 }
 
 /// The places that the text names.

@@ -2,14 +2,18 @@
 
 pub(crate) mod describe;
 
-use crate::args::{Counts, CountsArguments, DomainArguments, DomainOptions, OutlineOptions};
+use crate::args::{
+    Counts, CountsArguments, DomainArguments, DomainOptions, Length, OutlineOptions,
+};
 use crate::bar::Bar;
 use crate::failure::Failure;
 use crate::interrupt::SESSION;
 use crate::terminal::say;
 use mindeg::{Domain, Intervals, Model, Outline, Rectangle, Side, TriMesh};
 use mindeg_answers::names::{part_name, shown};
-use mindeg_files::{Content, Division, Input, PolygonFile, ReadOptions, Selection, Wanted};
+use mindeg_files::{
+    Content, Division, Input, PolygonFile, ProjectionChoice, ReadOptions, Selection, Wanted,
+};
 use std::borrow::Cow;
 use std::path::Path;
 
@@ -23,6 +27,25 @@ pub(crate) enum Subject {
 }
 
 impl Subject {
+    /// Refuses lengths in metres where coordinates are degrees.
+    pub(crate) fn refuse_degrees<const N: usize>(
+        &self,
+        lengths: [(&str, Option<Length>); N],
+    ) -> Result<(), Failure> {
+        let Self::Polygons(PolygonFile { file, is_in_degrees: true, .. }) = self else {
+            return Ok(());
+        };
+        let is_metric =
+            |(_, length): &(&str, Option<Length>)| length.is_some_and(|it| it.is_metric);
+        match lengths.into_iter().find(is_metric) {
+            None => Ok(()),
+            Some((option, _)) => Err(Failure::Input(format!(
+                "{option} is in metres, and the coordinates of {file} look like degrees: add --project auto; or --project \
+                 none, if they are metres"
+            ))),
+        }
+    }
+
     /// The only domain, or the reason why there are several.
     pub(crate) fn only(self) -> Result<Domain, Failure> {
         match self {
@@ -131,7 +154,9 @@ pub(crate) fn in_file(
     bar: &Bar,
 ) -> Result<Subject, Failure> {
     let DomainOptions { intervals, size, spacing, outline, .. } = options;
-    match opened(path, outline, *size, wanted, bar)? {
+    let subject = opened(path, outline, size.map(|size| size.value), wanted, bar)?;
+    subject.refuse_degrees([("--size", *size)])?;
+    match subject {
         Subject::Domain(domain) if options.divides() => {
             let sides = overridden(domain.sides().to_vec(), options)?;
             Ok(Subject::Domain(Box::new(domain.with_sides(sides).map_err(Failure::input)?)))
@@ -155,15 +180,20 @@ pub(crate) fn opened(
     let input = Input::of(path);
     let name = input.name();
     let division = Division { corner_angle: options.corner_angle, size };
-    let OutlineOptions { repair, together, snap, fill_rule, .. } = *options;
+    let OutlineOptions { project, repair, together, snap, fill_rule, .. } = *options;
     let selection = Selection { layer: options.layer.clone(), name_by: options.name_by.clone() };
+    let repair = repair || options.mends;
     let feature = options.feature.clone();
-    let read = ReadOptions { feature, selection, repair, together, snap, fill_rule, division };
+    let read =
+        ReadOptions { feature, selection, project, repair, together, snap, fill_rule, division };
     let bad = |error: &dyn ToString| Failure::Input(format!("{name}: {}", error.to_string()));
     Ok(match bar.work(|progress| SESSION.open(&input, wanted, &read, progress))? {
         Content::Domain(text) => {
             options.refuse_for_json(&name)?;
             let domain = Domain::from_json(&text).map_err(|error| bad(&error))?;
+            let projection = domain.projection().copied();
+            let domain = domain
+                .with_projection(projection.filter(|_| project != Some(ProjectionChoice::None)));
             Subject::Domain(Box::new(SESSION.with_sizes(domain, &input)?))
         }
         Content::Model(text) => {
@@ -217,7 +247,7 @@ fn overridden(mut sides: Vec<Side>, options: &DomainOptions) -> Result<Vec<Side>
     }
     for side in &mut sides {
         if let Some(size) = options.size {
-            side.intervals = Intervals::Size(size);
+            side.intervals = Intervals::Size(size.value);
         }
         if let Some(spacing) = &options.spacing {
             side.spacing = spacing.clone();

@@ -7,7 +7,7 @@ use crate::failure::Failure;
 use crate::interrupt::{SESSION, clean_up_on_interrupt};
 use crate::standard_output::print_json;
 use crate::terminal::say;
-use mindeg::{Positions, Progress, TriMesh};
+use mindeg::{Positions, Progress, Projection, TriMesh};
 use mindeg_files::{Format, Input, Targets};
 use mindeg_mesh::{Mesh, Triangles};
 use serde::Serialize;
@@ -20,6 +20,8 @@ use std::path::{Path, PathBuf};
 pub(crate) struct Making {
     targets: Targets<'static>,
     bar: Bar,
+    /// A sentence on the degrees in files.
+    degrees: Option<String>,
     quiet: bool,
     json: bool,
     /// The outputs of a recipe, if one is wanted.
@@ -54,7 +56,18 @@ impl Making {
         let to_terminal = targets.use_standard_output() && io::stdout().is_terminal();
         clean_up_on_interrupt()?;
         let bar = Bar::new(quiet || to_terminal);
-        Ok(Self { targets, bar, quiet, json, recipe, is_shown: surface.open })
+        Ok(Self { targets, bar, degrees: None, quiet, json, recipe, is_shown: surface.open })
+    }
+
+    /// The plane of the mesh is a projection of degrees: formats in degrees get these.
+    pub(crate) fn unproject(&mut self, projection: Option<&Projection>) {
+        let formats = self.targets.unproject(projection.copied());
+        self.degrees = projection.filter(|_| !formats.is_empty()).map(|projection| {
+            format!(
+                "{} has degrees of longitude and latitude, from {projection}",
+                formats.join(" and ")
+            )
+        });
     }
 
     /// Reads a mesh that the command takes; its materials will be those of the outputs.
@@ -113,7 +126,7 @@ impl Making {
         self,
         mesh_for: impl Fn(Format) -> &'m dyn Mesh,
     ) -> Result<Made, Failure> {
-        let Self { mut targets, bar, quiet, json, recipe, is_shown } = self;
+        let Self { mut targets, bar, degrees, quiet, json, recipe, is_shown } = self;
         if let Some(outputs) = recipe {
             // All that is read was read.
             targets.set_recipe(&SESSION.recipe(&arguments_of_recipe(), &outputs)?);
@@ -124,7 +137,7 @@ impl Making {
         if let Some(format) = shown {
             show(mesh_for(format), files.first().map_or("mesh", String::as_str), &bar)?;
         }
-        Ok(Made { files, quiet, json })
+        Ok(Made { files, degrees, quiet, json })
     }
 }
 
@@ -138,6 +151,7 @@ fn arguments_of_recipe() -> Vec<OsString> {
 /// A mesh that was written.
 pub(crate) struct Made {
     files: Vec<String>,
+    degrees: Option<String>,
     quiet: bool,
     json: bool,
 }
@@ -151,7 +165,8 @@ impl Made {
     ) -> Result<(), Failure> {
         if !self.quiet {
             let text = text();
-            let lines = (!text.is_empty()).then_some(text).into_iter().chain(wrote(&self.files));
+            let lines = (!text.is_empty()).then_some(text).into_iter();
+            let lines = lines.chain(self.degrees).chain(wrote(&self.files));
             let lines = lines.collect::<Vec<_>>().join("\n");
             if !lines.is_empty() {
                 say(&lines);

@@ -24,7 +24,7 @@ pub(crate) use features::are_one_map;
 pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
     let output = &arguments.surface.output;
     match subject(&arguments.domain, Wanted::Model, &Bar::new(arguments.quiet))? {
-        Subject::Domain(domain) => mesh_of(&domain, arguments, output),
+        Subject::Domain(domain) => mesh_of(&arguments.kinds.told(*domain)?, arguments, output),
         Subject::Polygons(polygons) if polygons.polygons.len() > 1 => {
             if are_one_map(arguments) {
                 return interior::run_maps(arguments, &polygons);
@@ -32,15 +32,20 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
             if features::is_one_mesh(arguments) {
                 let parts = Parts::of(&polygons, features::SEPARATE)?;
                 return match &parts.domains[..] {
-                    [map] => mesh_of(map, arguments, output),
-                    _ => beside::run(&parts, arguments),
+                    [map] => mesh_of(&arguments.kinds.told(map.clone())?, arguments, output),
+                    _ => {
+                        arguments.kinds.refuse("several domains")?;
+                        beside::run(&parts, arguments)
+                    }
                 };
             }
-            features::run(arguments, &polygons, |domain, output| mesh_of(domain, arguments, output))
+            features::run(arguments, &polygons, |domain, output| {
+                mesh_of(&arguments.kinds.told(domain.clone())?, arguments, output)
+            })
         }
         Subject::Polygons(polygons) => {
             let output = features::outputs_of_one(arguments, &polygons)?;
-            mesh_of(&polygons.only()?, arguments, &output)
+            mesh_of(&arguments.kinds.told(polygons.only()?)?, arguments, &output)
         }
         Subject::Model(model) => model::run(&model::divided(*model, arguments)?, arguments),
         Subject::Mesh(mesh) => model::run(&model::of_mesh(&mesh, arguments)?, arguments),
@@ -50,6 +55,7 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
 /// Meshes one domain into files.
 fn mesh_of(domain: &Domain, arguments: &MeshArguments, output: &[PathBuf]) -> Result<(), Failure> {
     let mut making = Making::new(&arguments.surface, output, arguments.quiet, arguments.json)?;
+    making.unproject(domain.projection());
     if let Some(wanted) = interior::wanted(arguments, domain)? {
         return interior::run(arguments, domain, &wanted, making);
     }

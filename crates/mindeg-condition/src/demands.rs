@@ -5,6 +5,19 @@ use crate::error::ConditionError;
 /// The least growth: below it, edges beside one that was halved would have to be halved, too, and so on.
 pub const LEAST_GROWTH: f64 = 0.35;
 
+/// What may happen to a vertex of a boundary.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Hold {
+    /// Everything.
+    Free,
+    /// It is not dropped, but cut off where it is too sharp: a corner where something else begins.
+    Corner,
+    /// Its point stays.
+    Point,
+    /// Its point stays, and its edge to the next vertex is not divided.
+    Edge,
+}
+
 /// The demands on a boundary.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BoundaryDemands {

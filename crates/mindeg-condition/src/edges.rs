@@ -16,6 +16,8 @@ const LONGEST: f64 = 4.0 / 3.0;
 /// Where lengths shall change gradually, tents in a strait do not even meet if they are so many times as high: that
 /// leaves room for triangles with equal sides across it.
 const ROOM: f64 = 2.0;
+/// Halving the longer of two edges makes their ratio smaller if it is above this.
+const UNEVEN: f64 = std::f64::consts::SQRT_2;
 /// The most points of a boundary.
 const MOST_POINTS: usize = 20_000_000;
 /// Edges shorter than this share of the largest coordinate are not divided.
@@ -66,7 +68,7 @@ impl Rings {
         let [before, after] = edges.map(|edge| self.length(edge));
         let is_uneven = self.limit(vertex) < demands.angle
             && self.angle(vertex).to_degrees() >= demands.angle
-            && before.max(after) > 1.5 * before.min(after);
+            && before.max(after) > UNEVEN * before.min(after);
         let longer = if before > after { edges[0] } else { edges[1] };
         let most = demands.size.map_or(f64::INFINITY, |size| LONGEST * size);
         let long = edges.into_iter().zip([before, after]).filter(move |(_, length)| *length > most);
@@ -122,14 +124,13 @@ impl Rings {
     /// The places of the conditioned boundary that stay below the demanded angle.
     pub(crate) fn left(&self, boundary: &PlanarBoundary, demands: &BoundaryDemands) -> Vec<Left> {
         let names = self.order().concat();
-        let is_kept = |v: u32| self.vertices[v as usize].is_kept;
         let mut left: Vec<Left> = Vec::new();
         for &vertex in &names {
             let limit = self.limit(vertex);
             if limit >= demands.angle {
                 continue;
             }
-            let reason = if is_kept(vertex) {
+            let reason = if self.is_kept(vertex) {
                 Reason::Kept
             } else if self.angle(vertex).to_degrees() < demands.angle {
                 Reason::Sharp

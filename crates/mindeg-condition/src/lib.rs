@@ -7,14 +7,14 @@
 //!
 //! ```
 //! use glam::DVec2;
-//! use mindeg_condition::{BoundaryDemands, condition};
+//! use mindeg_condition::{BoundaryDemands, Hold, condition};
 //! use mindeg_mesh::planar::PlanarBoundary;
 //!
 //! // A square with a step of a hundredth in one side.
 //! let ring = [[0.0, 0.0], [5.0, 0.0], [5.0, 0.01], [10.0, 0.01], [10.0, 10.0], [0.0, 10.0]];
 //! let boundary = PlanarBoundary::new(&[ring.map(DVec2::from)])?;
 //! let demands = BoundaryDemands { angle: 25.0, within: 0.02, ..BoundaryDemands::default() };
-//! let conditioned = condition(&boundary, &demands, |_| false)?;
+//! let conditioned = condition(&boundary, &demands, |_| Hold::Free)?;
 //! assert!(conditioned.before < 10.0 && conditioned.after >= 25.0);
 //! assert!(conditioned.moved <= 0.02 && conditioned.left.is_empty());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -31,7 +31,7 @@ mod rings;
 mod tips;
 
 pub use changes::{BoundaryChange, ChangeKind, Left, Point, Reason};
-pub use demands::{BoundaryDemands, LEAST_GROWTH};
+pub use demands::{BoundaryDemands, Hold, LEAST_GROWTH};
 pub use error::ConditionError;
 
 use crate::rings::{MOST_EDGES, Rings};
@@ -58,7 +58,7 @@ pub struct Conditioned {
 }
 
 /// Changes a boundary by as little as it takes for the limit of its minimum angle to reach the demanded angle.
-/// `is_kept` tells the vertices whose points stay; an edge between two of them is not divided.
+/// `hold` tells of each vertex what may happen to it.
 ///
 /// First points are dropped, each where the boundary moves least, at vertices whose limit is too small (with a size,
 /// wherever edges are shorter); then sharp corners are cut; then edges are divided. Dropping a point or cutting a
@@ -73,11 +73,11 @@ pub struct Conditioned {
 pub fn condition(
     boundary: &PlanarBoundary,
     demands: &BoundaryDemands,
-    is_kept: impl Fn(u32) -> bool,
+    hold: impl Fn(u32) -> Hold,
 ) -> Result<Conditioned, ConditionError> {
     demands.check()?;
     let before = limit_of(boundary).angle();
-    let mut rings = Rings::new(boundary, is_kept);
+    let mut rings = Rings::new(boundary, hold);
     rings.drop_holes(demands.least_hole);
     rings.simplify(demands);
     rings.cut_tips(demands);

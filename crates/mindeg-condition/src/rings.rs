@@ -1,7 +1,7 @@
 //! Rings of points that are dropped and put between others, with the old points that they stand for.
 
 use crate::changes::{BoundaryChange, ChangeKind, Point};
-use crate::demands::BoundaryDemands;
+use crate::demands::{BoundaryDemands, Hold};
 use crate::grid::Grid;
 use glam::DVec2;
 use mindeg_interior::limits::{degree_limit, fan_limit};
@@ -22,7 +22,7 @@ pub(crate) struct Vertex {
     pub(crate) previous: u32,
     pub(crate) next: u32,
     pub(crate) ring: u32,
-    pub(crate) is_kept: bool,
+    pub(crate) hold: Hold,
     pub(crate) is_alive: bool,
     /// The dropped points that the edge from here to the next point stands for, in order.
     pub(crate) dropped: Vec<DVec2>,
@@ -38,7 +38,7 @@ pub(crate) struct Rings {
 }
 
 impl Rings {
-    pub(crate) fn new(boundary: &PlanarBoundary, is_kept: impl Fn(u32) -> bool) -> Self {
+    pub(crate) fn new(boundary: &PlanarBoundary, hold: impl Fn(u32) -> Hold) -> Self {
         let mut vertices = Vec::with_capacity(boundary.points().len());
         for (ring, range) in (0..).zip(boundary.rings()) {
             let (first, last) = (range.start, range.end - 1);
@@ -47,7 +47,7 @@ impl Rings {
                 previous: if vertex == first { last } else { vertex - 1 },
                 next: if vertex == last { first } else { vertex + 1 },
                 ring,
-                is_kept: is_kept(vertex),
+                hold: hold(vertex),
                 is_alive: true,
                 dropped: Vec::new(),
             }));
@@ -124,7 +124,7 @@ impl Rings {
         for ring in self.order().into_iter().skip(1) {
             let at = |index: usize| self.at(ring[index % ring.len()]);
             let doubled: f64 = (0..ring.len()).map(|i| at(i).perp_dot(at(i + 1))).sum();
-            let is_kept = ring.iter().any(|v| self.vertices[*v as usize].is_kept);
+            let is_kept = ring.iter().any(|v| self.is_kept(*v));
             if doubled.abs() / 2.0 >= least || is_kept {
                 continue;
             }
@@ -182,7 +182,7 @@ impl Rings {
     /// How far the boundary moves if a vertex is dropped; none if it may not be.
     fn drop_distance(&self, vertex: u32, demands: &BoundaryDemands) -> Option<f64> {
         let own = &self.vertices[vertex as usize];
-        if own.is_kept || self.counts[own.ring as usize] <= 3 {
+        if own.hold > Hold::Free || self.counts[own.ring as usize] <= 3 {
             return None;
         }
         let (u, v, w) = (own.previous, vertex, own.next);
@@ -211,6 +211,8 @@ impl Rings {
         let (u, w, at, ring) = (own.previous, own.next, own.point.at, own.ring);
         let after = std::mem::take(&mut own.dropped);
         let before = &mut self.vertices[u as usize];
+        // The edge is another one.
+        before.hold = before.hold.min(Hold::Point);
         before.next = w;
         before.dropped.push(at);
         before.dropped.extend(after);
@@ -238,7 +240,7 @@ impl Rings {
             previous: vertex,
             next,
             ring,
-            is_kept: false,
+            hold: Hold::Free,
             is_alive: true,
             dropped,
         });
@@ -248,9 +250,14 @@ impl Rings {
         new
     }
 
-    /// The points of two vertices that are to stay keep their edge whole.
+    /// Whether the point of a vertex stays.
+    pub(crate) fn is_kept(&self, vertex: u32) -> bool {
+        self.vertices[vertex as usize].hold >= Hold::Point
+    }
+
+    /// Whether the edge that begins at a vertex is not divided.
     pub(crate) fn is_kept_edge(&self, vertex: u32) -> bool {
-        [vertex, self.next(vertex)].iter().all(|v| self.vertices[*v as usize].is_kept)
+        self.vertices[vertex as usize].hold == Hold::Edge
     }
 
     /// The vertices of a set that are there.

@@ -19,7 +19,7 @@ impl Rings {
         let is_tip = |v: &u32| self.angle(*v).to_degrees() < demands.angle;
         let tips: Vec<u32> = self.alive().filter(is_tip).collect();
         for tip in tips {
-            if !self.vertices[tip as usize].is_kept {
+            if !self.is_kept(tip) {
                 self.cut(tip, demands);
             }
         }

@@ -3,7 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use glam::DVec2;
-use mindeg_condition::{BoundaryDemands, ChangeKind, Conditioned, Reason, condition};
+use mindeg_condition::{BoundaryDemands, ChangeKind, Conditioned, Hold, Reason, condition};
 use mindeg_mesh::Random;
 use mindeg_mesh::planar::PlanarBoundary;
 
@@ -12,7 +12,7 @@ fn ring(points: &[[f64; 2]]) -> Vec<DVec2> {
 }
 
 fn conditioned(rings: &[Vec<DVec2>], demands: &BoundaryDemands) -> Conditioned {
-    condition(&PlanarBoundary::new(rings).unwrap(), demands, |_| false).unwrap()
+    condition(&PlanarBoundary::new(rings).unwrap(), demands, |_| Hold::Free).unwrap()
 }
 
 fn count(conditioned: &Conditioned, kind: ChangeKind) -> usize {
@@ -111,11 +111,16 @@ fn a_tip_is_cut_as_far_as_is_allowed_and_named_if_that_is_not_at_all() {
         found.moved <= 0.5
             && (apart(std::slice::from_ref(&wedge), &places(&found)) - 0.5).abs() < 0.01
     );
+    // A corner is cut as others are, and not dropped.
+    let boundary = PlanarBoundary::new(std::slice::from_ref(&wedge)).unwrap();
+    let demands = BoundaryDemands { within: 0.5, ..BoundaryDemands::default() };
+    let corner = condition(&boundary, &demands, |_| Hold::Corner).unwrap();
+    assert_eq!((count(&corner, ChangeKind::Cut), count(&corner, ChangeKind::Dropped)), (1, 0));
     // A point that stays keeps its tip.
     let boundary = PlanarBoundary::new(&[wedge]).unwrap();
     let found =
         condition(&boundary, &BoundaryDemands { within: 0.5, ..BoundaryDemands::default() }, |v| {
-            v == 0
+            if v == 0 { Hold::Point } else { Hold::Free }
         })
         .unwrap();
     assert_eq!(found.left.iter().map(|left| left.reason).collect::<Vec<_>>(), [Reason::Kept]);
@@ -134,7 +139,7 @@ fn small_holes_are_dropped_and_kept_edges_stay_whole() {
     let found = condition(
         &boundary,
         &BoundaryDemands { least_hole: 0.1, size: Some(0.5), ..BoundaryDemands::default() },
-        |v| v < 7,
+        |v| if v < 7 { Hold::Edge } else { Hold::Free },
     );
     let found = found.unwrap();
     assert_eq!(found.rings.len(), 3);
@@ -157,7 +162,7 @@ fn coasts_by_chance_reach_the_angle_within_the_distance() {
                 growth: if seed % 2 == 0 { 0.5 } else { 0.0 },
                 least_hole: 0.0,
             };
-            let found = condition(&boundary, &demands, |_| false).unwrap();
+            let found = condition(&boundary, &demands, |_| Hold::Free).unwrap();
             let new = places(&found);
             assert!(apart(&rings, &new) <= within + 1e-9, "seed {seed}");
             assert!(found.moved <= within);
@@ -235,6 +240,6 @@ fn demands_out_of_range_are_refused() {
         BoundaryDemands { least_hole: f64::INFINITY, ..BoundaryDemands::default() },
     ];
     for demands in bad {
-        assert!(condition(&boundary, &demands, |_| false).is_err(), "{demands:?}");
+        assert!(condition(&boundary, &demands, |_| Hold::Free).is_err(), "{demands:?}");
     }
 }

@@ -145,7 +145,8 @@ impl Domain {
         }
         let domain = builder.constraints(self.constraints.clone()).build()?;
         let (name, interior) = (self.name.clone(), self.interior.clone());
-        Ok(Self { name, interior, turned: self.turned.clone(), ..domain })
+        let (projection, turned) = (self.projection, self.turned.clone());
+        Ok(Self { name, interior, projection, turned, ..domain })
     }
 }
 
@@ -274,6 +275,7 @@ impl DomainBuilder {
             straight,
             constraints,
             interior: None,
+            projection: None,
             turned,
         };
         domain.check_unnamed()?;

@@ -21,6 +21,7 @@ use crate::interior::Interior;
 use crate::name;
 use crate::outline::Outline;
 use crate::placement::Placement;
+use crate::projection::Projection;
 use crate::rings::Rings;
 use crate::side::Side;
 use crate::turning::{ConvexForm, Turning};
@@ -53,6 +54,7 @@ pub struct Domain {
     pub(crate) convex: Option<ConvexForm>,
     pub(crate) constraints: Constraints,
     pub(crate) interior: Option<Interior>,
+    pub(crate) projection: Option<Projection>,
     /// The rings that were given the wrong way round.
     pub(crate) turned: Vec<usize>,
     pub(crate) inside: Inside,
@@ -87,6 +89,17 @@ impl Domain {
     /// The settings for a mesh with interior points, if the domain has any.
     pub fn interior(&self) -> Option<&Interior> {
         self.interior.as_ref()
+    }
+
+    /// The same domain with the projection that its points come from, or without one.
+    #[must_use]
+    pub fn with_projection(self, projection: Option<Projection>) -> Self {
+        Self { projection, ..self }
+    }
+
+    /// The projection of degrees that gave its points, if they come from degrees: they are metres then.
+    pub fn projection(&self) -> Option<&Projection> {
+        self.projection.as_ref()
     }
 
     /// The name, if the domain has one.

@@ -25,6 +25,7 @@
 mod build;
 mod constraints;
 mod curve;
+mod depths;
 mod divided;
 mod domain;
 mod error;
@@ -39,8 +40,10 @@ mod limits;
 mod map;
 mod model;
 mod name;
+mod open_water;
 mod outline;
 mod placement;
+mod projection;
 mod rectangle;
 mod rings;
 mod side;
@@ -54,6 +57,7 @@ mod turning;
 pub use build::DomainBuilder;
 pub use constraints::{Constraints, ExternalDegree, SideConstraint, VertexConstraint};
 pub use curve::{Arc, Curve};
+pub use depths::{DepthRules, Depths};
 pub use domain::Domain;
 pub use error::{DomainError, Place};
 pub use inside::{InnerPoint, Inside, Region};
@@ -69,8 +73,10 @@ pub use mindeg_mesh::planar::InRing;
 pub use model::{
     FaceGroup, FromMesh, Model, ModelEdge, ModelFace, ModelParts, ModelPlace, PLANAR_SHARE, Plane,
 };
+pub use open_water::OpenWater;
 pub use outline::{Outline, Ring};
 pub use placement::{Placement, Walk};
+pub use projection::{GlobeRegion, Projection};
 pub use rectangle::Rectangle;
 pub use rings::Rings;
 pub use side::{Intervals, Side};

@@ -27,6 +27,7 @@ mod foreign;
 mod input;
 mod kind;
 mod mesh;
+mod on_globe;
 mod open;
 mod outputs;
 mod polygons;
@@ -40,7 +41,9 @@ pub use mindeg_formats::{
     Encoding, Format, MeshPlane, MshVersion, SurfaceOptions, WriteError, WriteOptions, Writer,
     extensions, obj, svg, with_boundary_lines,
 };
-pub use mindeg_outlines::{Division, FillRule, OutlineFormat, Polygon, Selection};
+pub use mindeg_outlines::{
+    Division, FillRule, OutlineFormat, Polygon, ProjectionChoice, Selection,
+};
 
 pub use error::{FileError, plainly};
 pub use input::Input;

@@ -3,10 +3,10 @@
 use crate::error::FileError;
 use crate::input::Input;
 use crate::session::Session;
-use mindeg_domain::Domain;
+use mindeg_domain::{Domain, Projection};
 use mindeg_outlines::{
     self as outlines, Division, DrawnInside, FillRule, Listed, OutlineError, OutlineFormat,
-    Outlines, Polygon, Selection,
+    Outlines, Polygon, ProjectionChoice, Selection,
 };
 use std::path::Path;
 
@@ -17,6 +17,8 @@ pub struct ReadOptions {
     pub feature: Option<String>,
     /// The layer that is taken, and the property that names polygons.
     pub selection: Selection,
+    /// How degrees of longitude and latitude become metres; without it they are planar coordinates, which a note says.
+    pub project: Option<ProjectionChoice>,
     /// Whether rings that touch or cross themselves are parted.
     pub repair: bool,
     /// Whether polygons are repaired together, as regions of one map whose borders stay shared.
@@ -40,12 +42,18 @@ pub struct PolygonFile {
     pub polygons: Vec<Polygon>,
     /// Sentences for the user about parts that the reader left out or changed.
     pub notes: Vec<String>,
+    /// Whether the coordinates are degrees of longitude and latitude, taken as planar.
+    pub is_in_degrees: bool,
     inside: DrawnInside,
     name: Option<String>,
+    projection: Option<Projection>,
     division: Division,
     is_repaired: bool,
     dashes: &'static str,
 }
+
+/// Small planar drawings are no coasts: a note on degrees is for coordinates of which one is larger.
+const LEAST_DEGREES: f64 = 10.0;
 
 impl PolygonFile {
     pub(crate) fn new(
@@ -57,6 +65,11 @@ impl PolygonFile {
     ) -> Result<Self, FileError> {
         let wrong = |error: OutlineError| FileError::wrong(error.to_string());
         let mut outlines = outlines.map_err(wrong)?;
+        let is_in_degrees = options.project.is_none() && outlines.is_in_degrees();
+        let mut projection = None;
+        if let Some(choice) = options.project {
+            (outlines, projection) = outlines.projected(choice).map_err(wrong)?;
+        }
         if options.repair && options.together && outlines.features.len() > 1 {
             outlines =
                 outlines.repaired_together(options.fill_rule, options.snap).map_err(wrong)?;
@@ -70,6 +83,15 @@ impl PolygonFile {
             ));
         }
         let Outlines { features, mut inside, mut notes, .. } = outlines;
+        let rings = features.iter().flat_map(|feature| &feature.rings);
+        let mut starts = rings.flat_map(|ring| ring.pieces.iter().map(|piece| piece.start));
+        if is_in_degrees && starts.any(|start| start.abs().max_element() > LEAST_DEGREES) {
+            notes.push(format!(
+                "its coordinates look like degrees of longitude and latitude, and are taken as planar; {}project auto makes \
+                 metres of them",
+                session.dashes()
+            ));
+        }
         let mut polygons = outlines::labelled(features);
         // A file of one shape without a name is called after that shape.
         if let ([polygon], Some(stem)) = (&mut polygons[..], input.path().and_then(plain_stem))
@@ -97,6 +119,8 @@ impl PolygonFile {
                 .layer
                 .clone()
                 .or_else(|| input.path().and_then(plain_stem).map(str::to_owned)),
+            is_in_degrees,
+            projection,
             division: options.division,
             is_repaired: options.repair,
             dashes: session.dashes(),
@@ -119,6 +143,7 @@ impl PolygonFile {
             [_] if !is_plain => self.map_of(polygon),
             _ => polygon.domain(&self.division),
         };
+        let domain = domain.map(|domain| domain.with_projection(self.projection));
         domain.map_err(|error| {
             let hint = self.hint(error.is_touch);
             FileError::wrong(format!("{error}{hint}")).of(&polygon.name())
@@ -148,7 +173,11 @@ impl PolygonFile {
             return Ok((vec![domain], Vec::new()));
         }
         let maps = outlines::maps(&self.polygons, &self.inside, &self.division, self.is_repaired);
-        maps.map_err(|error| {
+        let projected = |(maps, notes): (Vec<Domain>, _)| {
+            let maps = maps.into_iter().map(|map| map.with_projection(self.projection));
+            (maps.collect(), notes)
+        };
+        maps.map(projected).map_err(|error| {
             let hint = if error.is_touch && !self.is_repaired {
                 format!("; {}repair mends such places, and says what it changes", self.dashes)
             } else {

@@ -4,7 +4,7 @@ use crate::beside::Beside;
 use crate::error::{FileError, plain};
 use crate::input::Input;
 use crate::session::Session;
-use mindeg_domain::{Domain, Size, SizeAt, SizeBetween, SizeFile};
+use mindeg_domain::{Depths, Domain, Size, SizeAt, SizeBetween, SizeFile};
 use mindeg_formats::Field;
 use std::io;
 
@@ -21,6 +21,31 @@ impl Session {
             self.note(path, SIZES);
         }
         sizes_of(&input.name(), &self.bytes(input, SIZES)?)
+    }
+
+    /// Reads depths on a grid: an ESRI grid (`.asc`), or an NPZ with `values`, `origin` and `spacing`. No output may
+    /// replace the file from then on.
+    ///
+    /// # Errors
+    ///
+    /// A file that cannot be read, is none of these, or has no value.
+    pub fn depths(&self, input: &Input<'_>) -> Result<Depths, FileError> {
+        const DEPTHS: &str = "file of depths";
+        let name = input.name();
+        let wrong = |problem: &str| FileError::wrong(format!("{name}: {problem}"));
+        if let Input::File(path) = input {
+            self.note(path, DEPTHS);
+        }
+        let bytes = self.bytes(input, DEPTHS)?;
+        match Field::read(&bytes).map_err(|error| wrong(&error.to_string()))? {
+            Field::Grid(grid) => {
+                Depths::grid(grid.origin, grid.spacing, grid.columns, &grid.values)
+                    .ok_or_else(|| wrong("no value is a finite number"))
+            }
+            Field::Mesh(..) => Err(wrong(
+                "it is a mesh; depths are read from a grid: an ESRI grid (.asc), or an NPZ",
+            )),
+        }
     }
 
     /// The domain of a file with the sizes in files beside it.

@@ -2,9 +2,11 @@
 
 use crate::error::{FileError, extension};
 use crate::foreign;
+use crate::on_globe::OnGlobe;
 use crate::outputs::{Outputs, cannot_write, is_standard_output};
 use crate::recipe::Recipe;
 use crate::session::Session;
+use mindeg_domain::Projection;
 use mindeg_formats::{Format, WriteError, WriteOptions, Writer, extensions};
 use mindeg_mesh::{MadeBy, Mesh, Positions, Progress};
 use mindeg_outlines::OutlineFormat;
@@ -19,6 +21,7 @@ pub struct Targets<'a> {
     options: WriteOptions,
     outputs: Outputs<'a>,
     recipe: Option<String>,
+    projection: Option<Projection>,
 }
 
 /// An output.
@@ -66,7 +69,8 @@ impl<'a> Targets<'a> {
         if targets.iter().filter(|target| target.is_standard_output()).count() > 1 {
             return Err(FileError::wrong("standard output can take one mesh"));
         }
-        Ok(Self { session, targets, options, outputs: Outputs::new(session), recipe: None })
+        let outputs = Outputs::new(session);
+        Ok(Self { session, targets, options, outputs, recipe: None, projection: None })
     }
 
     /// The mesh will have materials: formats with a library of materials beside them get that file,
@@ -105,6 +109,14 @@ impl<'a> Targets<'a> {
     /// The files will say how they were made.
     pub fn set_recipe(&mut self, recipe: &Recipe) {
         self.recipe = Some(recipe.to_string());
+    }
+
+    /// The plane of the mesh is a projection of degrees: formats in degrees get these. Gives their names.
+    pub fn unproject(&mut self, projection: Option<Projection>) -> Vec<&'static str> {
+        self.projection = projection;
+        let formats = self.targets.iter().map(|target| target.format);
+        let in_degrees = formats.filter(|format| projection.is_some() && format.in_degrees());
+        in_degrees.map(Format::description).collect()
     }
 
     /// Whether one of them goes where this process prints.
@@ -191,8 +203,16 @@ impl<'a> Targets<'a> {
         let mut taken = Ok(());
         for target in self.targets {
             let mesh = mesh_for(target.format);
-            let written = match &self.recipe {
-                Some(made_by) => target.write(&MadeBy { mesh, made_by }, progress),
+            let made;
+            let mesh: &dyn Mesh = match &self.recipe {
+                Some(made_by) => {
+                    made = MadeBy { mesh, made_by };
+                    &made
+                }
+                None => mesh,
+            };
+            let written = match self.projection.filter(|_| target.format.in_degrees()) {
+                Some(projection) => target.write(&OnGlobe { mesh, projection }, progress),
                 None => target.write(mesh, progress),
             };
             match written {

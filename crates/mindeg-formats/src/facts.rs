@@ -26,6 +26,8 @@ pub(crate) struct Facts {
     pub(crate) has_boundary: bool,
     /// Whether a file has a place for how its mesh was made.
     pub(crate) has_remarks: bool,
+    /// Whether the format wants degrees where the plane is a projection of them.
+    pub(crate) in_degrees: bool,
     /// Whether a file begins as this format alone does. Blanks at its start are left out.
     pub(crate) begins: fn(&[u8]) -> bool,
     /// First words that tell the format, in the first line that is not a comment.
@@ -61,6 +63,7 @@ impl Facts {
         library: None,
         has_boundary: false,
         has_remarks: true,
+        in_degrees: false,
         begins: |_| false,
         first_words: &[],
         fits: |_| false,

@@ -136,6 +136,12 @@ impl Format {
         self.facts().has_remarks
     }
 
+    /// Whether the format wants degrees of longitude and latitude where the plane is a projection of them.
+    #[must_use]
+    pub fn in_degrees(self) -> bool {
+        self.facts().in_degrees
+    }
+
     /// The format that the extension of a file name asks for, in upper or lower case.
     ///
     /// # Example

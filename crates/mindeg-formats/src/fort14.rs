@@ -21,6 +21,7 @@ pub(crate) const FACTS: Facts = Facts {
     description: "ADCIRC fort.14 or SCHISM hgrid.gr3",
     extensions: &["14", "grd", "gr3"],
     has_boundary: true,
+    in_degrees: true,
     fits,
     read: Some(|source| read(source.input)),
     max_vertices: SIGNED,

@@ -4,7 +4,7 @@
 //! decimals that read back as the same.
 //!
 //! Limits: for meshes in the plane, in whatever coordinates the mesh has; RFC 7946 takes degrees of longitude and
-//! latitude. Files of many triangles are large: 150 bytes each. Meshes are not read from it.
+//! latitude, which the mesh of a projected domain gets again. Files of many triangles are large: 150 bytes each. Meshes are not read from it.
 
 use std::ops::Range;
 
@@ -24,6 +24,7 @@ pub(crate) const FACTS: Facts = Facts {
     description: "GeoJSON",
     extensions: &["geojson"],
     in_plane: true,
+    in_degrees: true,
     write: |job, files| job.write(files, [sections(job.mesh)]),
     ..Facts::NONE
 };

@@ -69,6 +69,7 @@ impl Given {
             }
         }
         Ok(ReadOptions {
+            project: None,
             feature: self.feature.clone(),
             selection: Selection { layer: self.layer.clone(), name_by: self.name_by.clone() },
             repair,

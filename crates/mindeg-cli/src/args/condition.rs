@@ -1,7 +1,8 @@
 //! `mindeg condition`.
 
 use super::domain::OutlineOptions;
-use super::values::length;
+use super::ocean::BoundaryKinds;
+use super::values::{Length, area, distance, length_with_unit};
 use super::with_exit_codes;
 use clap::Args;
 use mindeg::interior::LEAST_GROWTH;
@@ -11,7 +12,8 @@ const EXAMPLES: &str = "\
 Examples:
   mindeg condition assets/domains/great-britain.json --limit 30 -o britain.json
   mindeg condition assets/domains/great-britain.json --within 5 --size 20 --json
-  mindeg mesh britain.json --interior -o britain.14";
+  mindeg mesh britain.json --interior -o britain.14
+  mindeg condition assets/outlines/saronic.geojson --project auto --size 2km";
 
 /// Change a boundary by as little as it takes for a mesh with points inside to reach an angle
 ///
@@ -31,22 +33,22 @@ pub(crate) struct ConditionArguments {
     #[arg(long, value_name = "ANGLE", value_parser = limit, default_value = "25", allow_hyphen_values = true)]
     pub(crate) limit: f64,
 
-    /// How far the boundary may move; without it nothing moves
-    #[arg(long, value_name = "LENGTH", value_parser = length, allow_hyphen_values = true)]
-    pub(crate) within: Option<f64>,
+    /// How far the boundary may move; without it an eighth of --size, and without both nothing moves
+    #[arg(long, value_name = "LENGTH", value_parser = distance, allow_hyphen_values = true)]
+    pub(crate) within: Option<Length>,
 
-    /// The length that edges should have: shorter ones are joined within --within, longer ones divided
-    #[arg(long, value_name = "LENGTH", value_parser = length, allow_hyphen_values = true)]
-    pub(crate) size: Option<f64>,
+    /// The length that edges should have: shorter ones are joined within --within, longer ones divided; such as 4000 or 4km
+    #[arg(long, value_name = "LENGTH", value_parser = length_with_unit, allow_hyphen_values = true)]
+    pub(crate) size: Option<Length>,
 
     /// No edge is longer than 4/3 of another and this times their distance together: a mesh reaches its limits more surely
     /// where lengths change gradually; 0.35 or more, 0.4 with --size, else no such rule
     #[arg(long, value_name = "G", value_parser = growth, allow_hyphen_values = true)]
     pub(crate) growth: Option<f64>,
 
-    /// Drop holes with a smaller area
-    #[arg(long, value_name = "AREA", value_parser = length, allow_hyphen_values = true)]
-    pub(crate) least_island: Option<f64>,
+    /// Drop holes with a smaller area, such as 4e6 or 4km2
+    #[arg(long, value_name = "AREA", value_parser = area, allow_hyphen_values = true)]
+    pub(crate) least_island: Option<Length>,
 
     /// A side that keeps all its points, by its name, such as "side 3"; may be given several times
     #[arg(long, value_name = "NAME")]
@@ -55,9 +57,17 @@ pub(crate) struct ConditionArguments {
     #[command(flatten)]
     pub(crate) outline: OutlineOptions,
 
+    #[command(flatten)]
+    pub(crate) kinds: BoundaryKinds,
+
     /// Where to write the domain in JSON; - is standard output
     #[arg(short, long, value_name = "FILE", help_heading = None)]
     pub(crate) output: Option<PathBuf>,
+
+    /// Write both boundaries, all changes and the places that stay below the limit as GeoJSON, to draw them on a map; in
+    /// degrees if the outline was projected
+    #[arg(long, value_name = "FILE", help_heading = None)]
+    pub(crate) changes: Option<PathBuf>,
 
     /// Print the changes as JSON: points_before, points, dropped, inserted, cut, holes_dropped, moved,
     /// angle_limit_before, angle_limit, is_reached, and the lists changes and left

@@ -1,10 +1,12 @@
 //! The options that describe a domain.
 
-use super::values::{Corners, IntervalCounts, RectangleSize, angle, length};
+use super::values::{
+    Corners, IntervalCounts, Length, RectangleSize, angle, length, length_with_unit,
+};
 use crate::failure::Failure;
 use clap::Args;
 use mindeg::Spacing;
-use mindeg_files::FillRule;
+use mindeg_files::{FillRule, ProjectionChoice};
 use std::path::PathBuf;
 
 /// One domain, from a file or from options.
@@ -36,9 +38,9 @@ pub(crate) struct DomainOptions {
     #[arg(long, value_name = "a,b,…", conflicts_with = "size", allow_hyphen_values = true)]
     pub(crate) intervals: Option<IntervalCounts>,
 
-    /// The length that the intervals of every side should have
-    #[arg(long, value_name = "S", value_parser = length, allow_hyphen_values = true)]
-    pub(crate) size: Option<f64>,
+    /// The length that the intervals of every side should have; 2km where coordinates are metres
+    #[arg(long, value_name = "S", value_parser = length_with_unit, allow_hyphen_values = true)]
+    pub(crate) size: Option<Length>,
 
     /// How the intervals of every side are spaced: uniform, geometric:RATIO, bump:RATIO,
     /// beta:BETA, first-length:LENGTH or last-length:LENGTH
@@ -56,9 +58,8 @@ impl DomainOptions {
     }
 }
 
-/// How the outlines of a file that is not JSON become domains. Longitude and latitude are taken as
-/// planar coordinates.
-#[derive(Debug, Args)]
+/// How the outlines of a file that is not JSON become domains.
+#[derive(Clone, Debug, Args)]
 #[command(next_help_heading = "Outlines")]
 pub(crate) struct OutlineOptions {
     /// The polygon of a file with several, by its name or its index from 1
@@ -74,6 +75,12 @@ pub(crate) struct OutlineOptions {
     #[arg(long, value_name = "PROPERTY", requires = "domain")]
     pub(crate) name_by: Option<String>,
 
+    /// How degrees of longitude and latitude become metres: auto, utm, laea, stereographic, EPSG:N, a definition of PROJ's
+    /// such as "+proj=utm +zone=35", or none for planar degrees. The domain remembers it, and formats in degrees get degrees
+    /// again; for a domain in JSON, none makes it forget
+    #[arg(long, value_name = "PROJECTION", requires = "domain", allow_hyphen_values = true)]
+    pub(crate) project: Option<ProjectionChoice>,
+
     /// Turn rings that cross or touch into polygons that do not, and drop what bounds no area
     #[arg(long, requires = "domain")]
     pub(crate) repair: bool,
@@ -82,6 +89,10 @@ pub(crate) struct OutlineOptions {
     /// near as rounding parts them
     #[arg(long, value_name = "LENGTH", value_parser = length, requires = "repair", allow_hyphen_values = true)]
     pub(crate) snap: Option<f64>,
+
+    /// Whether rings that touch are repaired unasked
+    #[arg(skip)]
+    pub(crate) mends: bool,
 
     /// Whether polygons are regions of one mesh
     #[arg(skip)]
@@ -107,6 +118,7 @@ impl OutlineOptions {
             ("--layer", self.layer.is_some()),
             ("--name-by", self.name_by.is_some()),
             ("--repair", self.repair),
+            ("--project", self.project.is_some_and(|choice| choice != ProjectionChoice::None)),
         ];
         let Some((option, _)) = given.into_iter().find(|(_, is_given)| *is_given) else {
             return Ok(());

@@ -4,6 +4,7 @@ use super::demands::PresetArgument;
 use super::domain::DomainArguments;
 use super::goal::GoalArguments;
 use super::interior::InteriorArguments;
+use super::ocean::{BoundaryKinds, DepthArguments};
 use super::surface::SurfaceArguments;
 use super::values::length;
 use super::with_exit_codes;
@@ -49,6 +50,12 @@ pub(crate) struct MeshArguments {
     /// Otherwise polygons are the regions of one mesh
     #[arg(long, requires = "domain", help_heading = "Outlines")]
     pub(crate) separate: bool,
+
+    #[command(flatten)]
+    pub(crate) kinds: BoundaryKinds,
+
+    #[command(flatten)]
+    pub(crate) depth: DepthArguments,
 
     #[command(flatten)]
     pub(crate) surface: SurfaceArguments,

@@ -114,6 +114,61 @@ pub(crate) fn length(text: &str) -> Result<f64, String> {
     length.filter(|length| length.is_finite()).ok_or_else(|| with_decimal_hint(text, example))
 }
 
+/// A length, or an area, in the units of the coordinates, or in metres where it has a unit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Length {
+    pub(crate) value: f64,
+    /// Whether it has a unit: then the coordinates must be metres.
+    pub(crate) is_metric: bool,
+}
+
+/// Units of lengths in metres; those of areas are their squares.
+const UNITS: [(&str, f64); 4] = [("km", 1e3), ("cm", 1e-2), ("mm", 1e-3), ("m", 1.0)];
+
+/// A length such as `0.5` or `2km`.
+pub(crate) fn length_with_unit(text: &str) -> Result<Length, String> {
+    in_units(text, 1)
+        .ok_or_else(|| with_decimal_hint(text, "give a length above 0, such as 0.5 or 2km"))
+}
+
+/// A distance such as `0` or `500m`.
+pub(crate) fn distance(text: &str) -> Result<Length, String> {
+    let zero = (text.trim() == "0").then_some(Length { value: 0.0, is_metric: false });
+    zero.map_or_else(|| length_with_unit(text), Ok)
+}
+
+/// An area such as `4e6` or `4km2`.
+pub(crate) fn area(text: &str) -> Result<Length, String> {
+    in_units(text, 2)
+        .ok_or_else(|| with_decimal_hint(text, "give an area above 0, such as 0.5 or 2km2"))
+}
+
+/// A number above 0 with a unit to a power, or without one.
+fn in_units(text: &str, power: i32) -> Option<Length> {
+    let text = text.trim();
+    let of_unit = |(unit, metres): (&str, f64)| {
+        let squared = if power == 2 { text.strip_suffix(['2', '²']) } else { Some(text) };
+        Some((squared?.strip_suffix(unit)?, if power == 2 { metres * metres } else { metres }))
+    };
+    let told = UNITS.into_iter().find_map(of_unit);
+    let (number, factor) = told.unwrap_or((text, 1.0));
+    let value = number.trim().parse::<f64>().ok()? * factor;
+    (value.is_finite() && value > 0.0).then_some(Length { value, is_metric: told.is_some() })
+}
+
+/// A time such as `2s` or `0.5`, in seconds.
+pub(crate) fn seconds(text: &str) -> Result<f64, String> {
+    let number = text.trim().strip_suffix('s').unwrap_or(text).trim();
+    let value = number.parse().ok().filter(|value: &f64| value.is_finite() && *value > 0.0);
+    value.ok_or_else(|| with_decimal_hint(text, "give seconds above 0, such as 2s"))
+}
+
+/// Two coordinates such as `24.5,38`.
+pub(crate) fn place(text: &str) -> Result<[f64; 2], String> {
+    let place = point(text).filter(|point| point.iter().all(|it| it.is_finite()));
+    place.ok_or_else(|| "give two numbers with a comma between, such as 24.5,38".to_owned())
+}
+
 /// An angle from 0 to 180 degrees.
 pub(super) fn angle(text: &str) -> Result<f64, String> {
     let angle = text.trim().trim_end_matches('°').parse().ok();
@@ -161,6 +216,29 @@ mod tests {
         }
         let error = "3,18446744073709551616,1".parse::<IntervalCounts>().unwrap_err();
         assert_eq!(error, "side 2: the maximum is 4294967294 intervals");
+    }
+
+    #[test]
+    fn lengths_and_areas_may_have_units() {
+        let of = |value, is_metric| Ok(Length { value, is_metric });
+        assert_eq!(length_with_unit("2km"), of(2000.0, true));
+        assert_eq!(length_with_unit(" 0.5 m"), of(0.5, true));
+        assert_eq!(
+            [length_with_unit("25 mm"), length_with_unit("3")],
+            [of(0.025, true), of(3.0, false)]
+        );
+        assert_eq!([distance("0"), distance("500m")], [of(0.0, false), of(500.0, true)]);
+        assert_eq!(
+            [area("4km2"), area("4 m²"), area("7")],
+            [of(4e6, true), of(4.0, true), of(7.0, false)]
+        );
+        for text in ["", "km", "-1km", "0", "2 miles", "nan", "1e999"] {
+            assert!(length_with_unit(text).is_err(), "{text}");
+        }
+        assert!(area("4km").is_err() && distance("-1").is_err());
+        assert_eq!([seconds("2s"), seconds("0.5")], [Ok(2.0), Ok(0.5)]);
+        assert!(seconds("-2s").is_err() && place("1,inf").is_err());
+        assert_eq!(place("24.5, -38"), Ok([24.5, -38.0]));
     }
 
     #[test]

@@ -12,7 +12,7 @@ use crate::terminal::say;
 use mindeg::Domain;
 use mindeg_answers::names::shown;
 use mindeg_answers::numbers::{four_digits, significant};
-use mindeg_files::{Outputs, Polygon, PolygonFile, Wanted, is_standard_output, write_to};
+use mindeg_files::{Outputs, Polygon, PolygonFile, Wanted, write_to};
 use serde::Serialize;
 use std::path::Path;
 
@@ -117,12 +117,24 @@ fn line(row: &Row) -> String {
 
 /// Writes the JSON of one domain.
 pub(crate) fn write(domain: &Domain, path: &Path) -> Result<(), Failure> {
+    write_texts(&[(domain.to_json(), path)])
+}
+
+/// Writes files of one text each, all or none.
+pub(crate) fn write_texts(texts: &[(String, &Path)]) -> Result<(), Failure> {
     let mut outputs = Outputs::new(&SESSION);
-    let out = outputs.open(path)?;
-    write_to(path, out, |out| writeln!(out, "{}", domain.to_json()))?;
+    let mut files = Vec::new();
+    for (text, path) in texts {
+        files.push((text, *path, outputs.open(path)?));
+    }
+    let mut names = Vec::new();
+    for (text, path, out) in files {
+        write_to(path, out, |out| writeln!(out, "{text}"))?;
+        names.push(path.display().to_string());
+    }
     outputs.finish()?;
-    if !is_standard_output(path) {
-        say(&wrote(&[path.display().to_string()]).unwrap_or_default());
+    if let Some(wrote) = wrote(&names) {
+        say(&wrote);
     }
     Ok(())
 }

@@ -8,13 +8,14 @@ use crate::failure::Failure;
 use crate::interrupt::SESSION;
 use crate::making::Making;
 use mindeg::interior::{self, InteriorError, InteriorMesh};
-use mindeg::{Domain, Interior, Size};
+use mindeg::{Depths, Domain, Interior, Size, TriMesh};
 use mindeg_answers::advice::Purpose;
 use mindeg_answers::interior::{
     InteriorAnswer, angles_and_degrees, corners, grading, local_limits, unmet_degrees, violations,
 };
 use mindeg_answers::limit::{Lifting, LimitAnswer};
 use mindeg_answers::names::{region_count, shown};
+use mindeg_answers::numbers::{count, four_digits};
 use mindeg_answers::sizes::{coarse_sides, sizes};
 use mindeg_files::{Input, PolygonFile};
 use serde::Serialize;
@@ -70,7 +71,8 @@ pub(super) fn wanted(
 pub(super) fn refuse_options(arguments: &MeshArguments) -> Result<(), Failure> {
     let options = &arguments.interior;
     let sizes = (!options.sizes.is_empty()).then(|| "--sizes".to_owned());
-    match options.wanted.first_given().or(sizes) {
+    let depth = arguments.depth.first_given().map(str::to_owned);
+    match options.wanted.first_given().or(sizes).or(depth) {
         Some(option) => Err(Failure::Input(format!(
             "{option} is for meshes with interior points; add --interior"
         ))),
@@ -87,6 +89,67 @@ fn with_sizes(arguments: &MeshArguments, file: Option<&Interior>) -> Result<Inte
     Ok(wanted)
 }
 
+/// The wishes with the sizes that depths ask for.
+fn by_depth(
+    arguments: &MeshArguments,
+    depths: Option<&Depths>,
+    wanted: &Interior,
+    domains: &[Domain],
+) -> Result<Interior, Failure> {
+    let mut wanted = wanted.clone();
+    match (arguments.depth.rules(), depths) {
+        (Some(rules), Some(depths)) => {
+            let points = domains.iter().flat_map(|domain| domain.placement().points());
+            let sizes = depths.sizes(&rules, points);
+            if sizes.points.is_empty() {
+                return Err(Failure::input(
+                    "the depths ask for no size: none is above 0 in the box around the domain",
+                ));
+            }
+            wanted.sizes.push(Size::Between(sizes));
+        }
+        (None, _) if arguments.depth.time_step.is_some() => {
+            return Err(Failure::input(
+                "--time-step limits the sizes of --wavelength and --slope: add one of them",
+            ));
+        }
+        _ => {}
+    }
+    Ok(wanted)
+}
+
+/// Gives the vertices their depths, and says which.
+fn with_depths(
+    mesh: TriMesh,
+    depths: Option<&Depths>,
+    least: Option<f64>,
+) -> (TriMesh, Option<String>) {
+    let Some(depths) = depths else { return (mesh, None) };
+    let points = || mesh.positions().iter().map(|point| point.truncate());
+    let beyond = points().filter(|point| depths.is_beyond(*point)).count();
+    let mut raised = 0;
+    let values: Vec<f64> = points()
+        .map(|point| {
+            let depth = depths.at(point);
+            let limited = least.map_or(depth, |least| depth.max(least));
+            raised += usize::from(limited > depth);
+            limited
+        })
+        .collect();
+    let [low, high] = values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], it| {
+        [f64::min(low, *it), f64::max(high, *it)]
+    });
+    let mut words = format!("depths from {} to {} m", four_digits(low), four_digits(high));
+    if raised > 0 {
+        words += &format!("; {} shallower, which got the least depth", count(raised as u64));
+    }
+    if beyond > 0 {
+        words +=
+            &format!("; {} beyond the grid, which got the nearest depth", count(beyond as u64));
+    }
+    (mesh.with_depths(values), Some(words))
+}
+
 /// Meshes a domain with interior points.
 pub(super) fn run(
     arguments: &MeshArguments,
@@ -94,9 +157,13 @@ pub(super) fn run(
     wanted: &Interior,
     mut making: Making,
 ) -> Result<(), Failure> {
+    let depths = arguments.depth.read(domain.projection())?;
+    let wanted = &by_depth(arguments, depths.as_ref(), wanted, std::slice::from_ref(domain))?;
     making.open()?;
     let meshed = making.work(|progress| interior::mesh(domain, wanted, progress));
     let found = meshed.map_err(|error| refused(domain, wanted, &error))?;
+    let (mesh, depth_words) = with_depths(found.mesh, depths.as_ref(), arguments.depth.least_depth);
+    let found = InteriorMesh { mesh, ..found };
     let InteriorMesh { mesh, report, limit, .. } = &found;
     let lifting = Lifting::from_limit(domain, wanted, limit.clone(), 1).map_err(Failure::input)?;
     let mut unmet = arguments.demands(wanted.target_angle).unmet_by(mesh, report.min_angle);
@@ -115,7 +182,14 @@ pub(super) fn run(
         reversed: domain.was_reversed(),
         map: None,
     };
-    made.say(|| text(&name(domain), &found, &lifting, &summary), || &summary)?;
+    let said = || {
+        [text(&name(domain), &found, &lifting, &summary)]
+            .into_iter()
+            .chain(depth_words)
+            .collect::<Vec<_>>()
+            .join("\n")
+    };
+    made.say(said, || &summary)?;
     end
 }
 
@@ -124,11 +198,20 @@ pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Res
     arguments.refuse_goals_with_interior("--interior")?;
     let surface = &arguments.surface;
     let mut making = Making::new(surface, &surface.output, arguments.quiet, arguments.json)?;
-    let domains = Parts::of(polygons, SEPARATE)?.domains;
-    let wanted = with_sizes(arguments, None)?;
+    let mut domains = Parts::of(polygons, SEPARATE)?.domains;
+    match &mut domains[..] {
+        [domain] => *domain = arguments.kinds.told(domain.clone())?,
+        several => arguments.kinds.refuse(&format!("{} that share no edge", several.len()))?,
+    }
+    let projection = domains.first().and_then(Domain::projection).copied();
+    making.unproject(projection.as_ref());
+    let depths = arguments.depth.read(projection.as_ref())?;
+    let wanted = by_depth(arguments, depths.as_ref(), &with_sizes(arguments, None)?, &domains)?;
     making.open()?;
     let meshed = making.work(|progress| interior::mesh_all(&domains, &wanted, progress));
     let mut found = meshed.map_err(|(index, error)| refused(&domains[index], &wanted, &error))?;
+    let (mesh, depth_words) = with_depths(found.mesh, depths.as_ref(), arguments.depth.least_depth);
+    found = InteriorMesh { mesh, ..found };
     let name = polygons.name();
     if let Some(name) = name {
         found.mesh = found.mesh.named(name);
@@ -158,7 +241,14 @@ pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Res
         let name = shown(name.unwrap_or("map"));
         format!("{name}: {regions} regions in {} {parts}", domains.len())
     };
-    made.say(|| text(&title(), &found, &lifting, &summary), || &summary)?;
+    let said = || {
+        [text(&title(), &found, &lifting, &summary)]
+            .into_iter()
+            .chain(depth_words)
+            .collect::<Vec<_>>()
+            .join("\n")
+    };
+    made.say(said, || &summary)?;
     end
 }
 

@@ -17,6 +17,7 @@ use crate::error::{DomainError, Place};
 use crate::inside::{InnerPoint, Inside, Region};
 use crate::interior::Interior;
 use crate::outline::{Outline, Ring};
+use crate::projection::Projection;
 use crate::rectangle::Rectangle;
 use crate::side::Side;
 
@@ -61,6 +62,9 @@ pub struct DomainDescription {
     regions: Option<Vec<Region>>,
     /// Degree limits of single vertices
     vertices: Option<Vec<VertexKeys>>,
+    /// The projection of longitudes and latitudes that gave the coordinates, which are metres then, such as
+    /// `EPSG:32635` or `+proj=utm +zone=35 +datum=WGS84`. Formats in degrees get degrees
+    projection: Option<String>,
     /// The wanted mesh with interior points. Commands that mesh add points if this is there
     interior: Option<Interior>,
 }
@@ -122,7 +126,7 @@ impl DomainDescription {
 
     pub(super) fn domain_up_to(self, max_vertices: u32) -> Result<Domain, DomainError> {
         let Self { name, rectangle, polygon, ring, sides, size, holes, .. } = self;
-        let Self { lines, points, regions, vertices, interior, .. } = self;
+        let Self { lines, points, regions, vertices, projection, interior, .. } = self;
         let error = |key, message: &str| Err(Place::key(key).error(message));
         if size.is_some() && ring.is_some() && holes.is_none() && lines.is_none() {
             return error("size", OWN_POINTS);
@@ -186,6 +190,11 @@ impl DomainDescription {
             Some(name) => domain.named(name)?,
             None => domain,
         };
+        let projection = projection.map(|text| {
+            let projection: Result<Projection, String> = text.parse();
+            projection.map_err(|problem| Place::key("projection").error(problem))
+        });
+        let domain = domain.with_projection(projection.transpose()?);
         Ok(match interior {
             Some(interior) => {
                 interior.check().map_err(|error| error.inside(Place::key("interior")))?;
@@ -304,6 +313,7 @@ impl Domain {
             points: some(inside.points.clone()),
             regions: some(inside.regions.clone()),
             vertices: some(vertices),
+            projection: self.projection().map(ToString::to_string),
             interior: self.interior().cloned(),
             ..DomainDescription::default()
         }

@@ -1,12 +1,12 @@
 //! A domain whose boundary lets a mesh with points inside reach a given angle.
 
 use crate::error::MeshError;
-use mindeg_condition::{BoundaryDemands, Conditioned, Point, condition as conditioned};
+use mindeg_condition::{BoundaryDemands, Conditioned, Hold, Point, condition as conditioned};
 use mindeg_domain::{Domain, Ring, Side};
 
 /// Changes a domain's boundary by as little as it takes for the limit of its minimum angle to reach the demanded angle.
 ///
-/// Corners between sides of which one has a name or a kind stay. The sides of `kept`, by their indices, keep all their
+/// Corners where the name or the kind of sides changes are not dropped, only cut where they are too sharp. The sides of `kept`, by their indices, keep all their
 /// points. Other corners may go; the sides that met there are one side then, with the settings of the first.
 ///
 /// O(n log n) for n points of the result.
@@ -45,17 +45,21 @@ pub fn condition(
     }
     let rings = domain.rings();
     let boundary = domain.boundary().map_err(|error| refused(&error))?;
-    let is_told = |side: usize| {
+    let told = |side: usize| {
         let side = &domain.sides()[side];
-        side.name.is_some() || side.kind.is_some()
+        (&side.name, side.kind)
     };
-    let is_kept = |vertex: u32| {
+    let hold = |vertex: u32| {
         let side = rings.side_of(vertex);
-        let sides = [Some(side), rings.is_corner(vertex).then(|| rings.previous_side(side))];
-        let mut sides = sides.into_iter().flatten();
-        sides.any(|side| kept.contains(&side) || rings.is_corner(vertex) && is_told(side))
+        let before = rings.is_corner(vertex).then(|| rings.previous_side(side));
+        match before {
+            _ if kept.contains(&side) => Hold::Edge,
+            Some(before) if kept.contains(&before) => Hold::Point,
+            Some(before) if told(before) != told(side) => Hold::Corner,
+            _ => Hold::Free,
+        }
     };
-    let found = conditioned(&boundary, demands, is_kept).map_err(|error| refused(&error))?;
+    let found = conditioned(&boundary, demands, hold).map_err(|error| refused(&error))?;
     let of_ring = |ring: &Vec<Point>| ring_of(domain, ring);
     let new = Domain::of_rings(found.rings.iter().map(of_ring).collect());
     let new = new.map_err(|error| refused(&error))?;
@@ -63,6 +67,7 @@ pub fn condition(
         Some(name) => new.named(name).map_err(|error| refused(&error))?,
         None => new,
     };
+    let new = new.with_projection(domain.projection().copied());
     let new = match domain.interior() {
         Some(interior) => new.with_interior(interior.clone()),
         None => new,
@@ -73,12 +78,22 @@ pub fn condition(
 /// A conditioned ring with the sides of the domain, from the first corner that is left.
 fn ring_of(domain: &Domain, points: &[Point]) -> Ring {
     let rings = domain.rings();
-    let is_corner = |point: &Point| point.of.is_some_and(|vertex| rings.is_corner(vertex));
-    let first = points.iter().position(is_corner).unwrap_or(0);
+    let told = |point: &Point| {
+        let side = &domain.sides()[rings.side_of(point.edge)];
+        (&side.name, side.kind)
+    };
+    // A corner that was cut off leaves its sides to the points beside it.
+    let is_corner = |at: usize| {
+        let (point, before) = (&points[at], &points[(at + points.len() - 1) % points.len()]);
+        point.of.is_some_and(|vertex| rings.is_corner(vertex)) || told(point) != told(before)
+    };
+    let first = (0..points.len()).find(|at| is_corner(*at)).unwrap_or(0);
     let mut ring = Ring::default();
     let mut inner: Vec<Vec<glam::DVec2>> = Vec::new();
-    for (at, point) in points[first..].iter().chain(&points[..first]).enumerate() {
-        if at > 0 && !is_corner(point) {
+    for step in 0..points.len() {
+        let at = (first + step) % points.len();
+        let point = &points[at];
+        if step > 0 && !is_corner(at) {
             // The first point is a corner, so there is a side.
             inner.last_mut().into_iter().for_each(|side| side.push(point.at));
             continue;

@@ -56,7 +56,7 @@ fn division(options: &DomainOptions) -> Result<Option<Side>, Failure> {
                 counts.len()
             )));
         }
-        (None, Some(size)) => Intervals::Size(*size),
+        (None, Some(size)) => Intervals::Size(size.value),
         (None, None) if spacing.is_some() => {
             return Err(Failure::input(
                 "--spacing of a model needs --size or --intervals beside it",

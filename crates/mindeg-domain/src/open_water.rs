@@ -1,0 +1,341 @@
+//! The open water, the land and the islands of a coastal model, as kinds of sides.
+
+use glam::DVec2;
+use mindeg_mesh::LineKind;
+
+use crate::build::DomainBuilder;
+use crate::domain::Domain;
+use crate::error::{DomainError, Place};
+use crate::outline::{Outline, Ring};
+use crate::side::{Intervals, Side};
+
+/// A part of the outer boundary that is open water.
+#[derive(Clone, Debug, PartialEq)]
+pub enum OpenWater {
+    /// The edges on the sides of the box around the domain: of its degrees if it was projected.
+    Box,
+    /// The sides of a name.
+    Side(String),
+    /// The boundary from the vertex nearest to the first point to that nearest to the second, counter-clockwise; points
+    /// are in degrees if the domain was projected.
+    Between([DVec2; 2]),
+}
+
+/// The names of the sides of projected outlines that lie on the box around all degrees.
+const BOX_SIDES: [&str; 4] = ["south", "east", "north", "west"];
+/// An edge is on the box if it is no farther than this share of the box's size from it.
+const NEAR: f64 = 1e-9;
+
+impl Domain {
+    /// The same points, with sides that are open water, land or island. Sides end where open water does, and rings begin there.
+    ///
+    /// Sides that have no name are called open, land or island, so that a file has few long boundaries; the open water of
+    /// [`OpenWater::Box`] is called open whatever its sides were called. A kind that a side has stays, but for open water.
+    /// Stretches of the parts that are shorter than `least_length` together are not open.
+    ///
+    /// # Errors
+    ///
+    /// A part that the boundary does not have; a domain with limits of degrees, whose sides would have to be split.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use mindeg_domain::{Domain, LineKind, OpenWater};
+    ///
+    /// // A bay with its mouth in the south.
+    /// let bay = Domain::from_rings([[[0.0, 0.0], [4.0, 0.0], [3.0, 2.0], [1.0, 1.5]]])?;
+    /// let bay = bay.with_open_water(&[OpenWater::Box], 0.0)?;
+    /// let sides: Vec<_> = bay.sides().iter().map(|side| (side.name.as_deref(), side.kind)).collect();
+    /// assert_eq!(sides[0], (Some("open"), Some(LineKind::Open)));
+    /// assert!(sides[1..].iter().all(|side| *side == (Some("land"), Some(LineKind::Land))));
+    /// # Ok::<(), mindeg_domain::DomainError>(())
+    /// ```
+    pub fn with_open_water(
+        &self,
+        parts: &[OpenWater],
+        least_length: f64,
+    ) -> Result<Self, DomainError> {
+        let rings = self.rings();
+        let mut is_open = vec![false; rings.vertex_count() as usize];
+        let mut is_of_box = is_open.clone();
+        for part in parts {
+            let edges = self.edges_of(part)?;
+            for edge in edges {
+                is_open[edge as usize] = true;
+                is_of_box[edge as usize] |= *part == OpenWater::Box;
+            }
+        }
+        self.close_short(&mut is_open, least_length);
+        let mut new: Vec<Ring> = Vec::new();
+        let mut is_split = false;
+        for ring in 0..rings.ring_count() {
+            let mut own = Ring::default();
+            for side in rings.ring_sides(ring) {
+                let given = &self.sides()[side];
+                let first = rings.corner(side);
+                let edges = first..first + rings.intervals(side);
+                let mark = |edge: u32| [is_open[edge as usize], is_of_box[edge as usize]];
+                let mut starts: Vec<u32> = vec![first];
+                starts.extend(edges.clone().skip(1).filter(|edge| mark(*edge) != mark(edge - 1)));
+                is_split |= starts.len() > 1;
+                for (at, &start) in starts.iter().enumerate() {
+                    let end = starts.get(at + 1).copied().unwrap_or(edges.end);
+                    let part = match starts.len() {
+                        1 => given.clone(),
+                        _ => {
+                            let points = (start + 1..end).map(|it| self.placement().point(it));
+                            let side = Side::points(points.collect());
+                            let is_single = side.intervals == Intervals::Points && end == start + 1;
+                            let side = if is_single { Side::count(1) } else { side };
+                            Side { name: given.name.clone(), kind: given.kind, ..side }
+                        }
+                    };
+                    own.corners.push(self.placement().point(start));
+                    own.sides.push(told(part, ring > 0, mark(start)));
+                }
+            }
+            if !self.is_constrained() {
+                begin_with_a_stretch(&mut own);
+            }
+            new.push(own);
+        }
+        if is_split && self.is_constrained() {
+            return Err(Place::default().error(
+                "open water would split sides of a domain with limits of degrees: give its sides a \"kind\" in JSON",
+            ));
+        }
+        if self.is_constrained() {
+            return self.with_sides(new.into_iter().flat_map(|ring| ring.sides).collect());
+        }
+        self.of_new_rings(new)
+    }
+
+    /// Closes stretches of open edges that are shorter.
+    fn close_short(&self, is_open: &mut [bool], least_length: f64) {
+        let rings = self.rings();
+        for range in rings.rings() {
+            // From behind an edge that is not open, each stretch comes whole.
+            let Some(closed) = range.clone().find(|edge| !is_open[*edge as usize]) else {
+                continue;
+            };
+            let mut edges: Vec<u32> = range.clone().collect();
+            edges.rotate_left((closed - range.start) as usize);
+            let is_alike = |a: &u32, b: &u32| is_open[*a as usize] == is_open[*b as usize];
+            let stretches: Vec<&[u32]> = edges.chunk_by(is_alike).collect();
+            for stretch in stretches {
+                let point = |vertex: u32| self.placement().point(vertex);
+                let length = |edge: &u32| point(*edge).distance(point(rings.next(*edge)));
+                if stretch.iter().map(length).sum::<f64>() < least_length {
+                    stretch.iter().for_each(|edge| is_open[*edge as usize] = false);
+                }
+            }
+        }
+    }
+
+    fn of_new_rings(&self, rings: Vec<Ring>) -> Result<Self, DomainError> {
+        let mut rings = rings.into_iter();
+        let Ring { corners, sides } = rings.next().unwrap_or_default();
+        let builder: DomainBuilder = Self::builder(Outline::Polygon(corners), sides);
+        let builder = rings.fold(builder, DomainBuilder::hole).inside(self.inside().clone());
+        let domain = builder.build()?;
+        Ok(Self {
+            name: self.name.clone(),
+            interior: self.interior.clone(),
+            projection: self.projection,
+            ..domain
+        })
+    }
+
+    /// The first vertices of the edges of a part.
+    fn edges_of(&self, part: &OpenWater) -> Result<Vec<u32>, DomainError> {
+        let rings = self.rings();
+        let of_sides = |is_wanted: &dyn Fn(usize) -> bool| -> Vec<u32> {
+            let sides = (0..rings.side_count()).filter(|side| is_wanted(*side));
+            sides
+                .flat_map(|side| rings.corner(side)..rings.corner(side) + rings.intervals(side))
+                .collect()
+        };
+        let wrong = |message: String| Err(Place::default().error(message));
+        let outer: Vec<u32> = of_sides(&|side| rings.in_ring(side).ring == 0);
+        let edges = match part {
+            OpenWater::Box if self.projection.is_some() => of_sides(&|side| {
+                let is_name = |name: &str| BOX_SIDES.contains(&name);
+                rings.in_ring(side).ring == 0
+                    && self.sides()[side].name.as_deref().is_some_and(is_name)
+            }),
+            OpenWater::Box => self.on_box(&outer),
+            OpenWater::Side(name) => of_sides(&|side| self.side_name(side) == *name),
+            OpenWater::Between(ends) => {
+                let point = |vertex: u32| self.placement().point(vertex);
+                let [from, to] = ends.map(|end| {
+                    let end = self.projection.map_or(end, |projection| projection.to_plane(end));
+                    let distance = |vertex: &u32| point(*vertex).distance_squared(end);
+                    (0..outer.len())
+                        .min_by(|&a, &b| distance(&outer[a]).total_cmp(&distance(&outer[b])))
+                });
+                let (Some(from), Some(to)) = (from, to) else { return Ok(Vec::new()) };
+                let count = outer.len();
+                let steps = (to + count - from) % count;
+                (0..steps).map(|step| outer[(from + step) % count]).collect()
+            }
+        };
+        if !edges.is_empty() {
+            return Ok(edges);
+        }
+        match part {
+            OpenWater::Box => wrong(
+                "no side is on the box around the domain: name one, or give two points between which the boundary is \
+                 open"
+                    .to_owned(),
+            ),
+            OpenWater::Between([a, b]) => {
+                wrong(format!("({}, {}) and ({}, {}) are nearest to one point of the boundary", a.x, a.y, b.x, b.y))
+            }
+            OpenWater::Side(name) => {
+                let mut names: Vec<String> =
+                    (0..rings.side_count()).map(|side| self.side_name(side)).collect();
+                names.dedup();
+                let more = if names.len() > 10 { ", …" } else { "" };
+                names.truncate(10);
+                wrong(format!("no side is called {name:?}; there are {}{more}", names.join(", ")))
+            }
+        }
+    }
+
+    /// The edges of the outer ring on the box around it.
+    fn on_box(&self, outer: &[u32]) -> Vec<u32> {
+        let points: Vec<DVec2> =
+            outer.iter().map(|vertex| self.placement().point(*vertex)).collect();
+        let least = points.iter().copied().fold(DVec2::INFINITY, DVec2::min);
+        let most = points.iter().copied().fold(DVec2::NEG_INFINITY, DVec2::max);
+        let near = (most - least).max_element() * NEAR;
+        let sides: [fn(DVec2, [DVec2; 2]) -> f64; 4] = [
+            |point, box_| point.y - box_[0].y,
+            |point, box_| point.x - box_[1].x,
+            |point, box_| point.y - box_[1].y,
+            |point, box_| point.x - box_[0].x,
+        ];
+        let next = points.iter().cycle().skip(1);
+        let edges = outer.iter().zip(points.iter().zip(next));
+        let is_on = |(a, b): (&DVec2, &DVec2)| {
+            let is_near = |off: f64| off.abs() <= near;
+            sides.iter().any(|off| [a, b].iter().all(|end| is_near(off(**end, [least, most]))))
+        };
+        edges.filter(|(_, ends)| is_on(*ends)).map(|(vertex, _)| *vertex).collect()
+    }
+}
+
+/// Turns a ring so that it begins where its kind changes: no stretch is in two parts.
+fn begin_with_a_stretch(ring: &mut Ring) {
+    let told = |side: &Side| (side.name.clone(), side.kind);
+    let (Some(first), Some(last)) = (ring.sides.first(), ring.sides.last()) else { return };
+    if told(first) != told(last) {
+        return;
+    }
+    let mut pairs = ring.sides.windows(2);
+    if let Some(at) = pairs.position(|pair| told(&pair[0]) != told(&pair[1])) {
+        ring.sides.rotate_left(at + 1);
+        ring.corners.rotate_left(at + 1);
+    }
+}
+
+/// A side with its kind, and with the name of its kind if it has none.
+fn told(side: Side, is_hole: bool, [is_open, is_of_box]: [bool; 2]) -> Side {
+    let kind = match side.kind {
+        _ if is_open => LineKind::Open,
+        Some(kind) => kind,
+        None if is_hole => LineKind::Island,
+        None => LineKind::Land,
+    };
+    let own = match kind {
+        LineKind::Open => "open",
+        LineKind::Land => "land",
+        LineKind::Island => "island",
+    };
+    let name = side.name.clone().filter(|_| !is_of_box);
+    Side { name: name.or(Some(own.to_owned())), kind: Some(kind), ..side }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The names, kinds and lengths of sides.
+    fn sides(domain: &Domain) -> Vec<(String, LineKind, u32)> {
+        let side = |side: usize| {
+            let own = &domain.sides()[side];
+            (own.name.clone().unwrap(), own.kind.unwrap(), domain.rings().intervals(side))
+        };
+        (0..domain.sides().len()).map(side).collect()
+    }
+
+    fn bay() -> Domain {
+        let outer = vec![[0.0, 0.0], [2.0, 0.0], [4.0, 0.0], [4.0, 3.0], [3.0, 2.9], [0.0, 3.0]];
+        let island = vec![[1.0, 1.0], [1.0, 2.0], [2.0, 1.5]];
+        Domain::from_rings([outer, island]).unwrap()
+    }
+
+    #[test]
+    fn open_water_is_found_on_the_box_by_name_and_between_points() {
+        let open = LineKind::Open;
+        let (land, island) = (LineKind::Land, ("island".to_owned(), LineKind::Island, 3));
+        let told = |name: &str, kind, count| (name.to_owned(), kind, count);
+        let found = bay().with_open_water(&[OpenWater::Box], 0.0).unwrap();
+        assert_eq!(
+            sides(&found),
+            [told("land", land, 2), told("open", open, 1), told("open", open, 3), island.clone()]
+        );
+        let sorted = |domain: &Domain| {
+            let mut points: Vec<_> =
+                domain.placement().points().map(|it| it.to_array().map(f64::to_bits)).collect();
+            points.sort_unstable();
+            points
+        };
+        assert_eq!(sorted(&found), sorted(&bay()));
+        // From the upper left corner counter-clockwise to the lower right one.
+        let between = OpenWater::Between([[-0.1, 3.2], [4.1, 0.2]].map(DVec2::from));
+        let found = bay().with_open_water(&[between], 0.0).unwrap();
+        assert_eq!(
+            sides(&found),
+            [told("land", land, 3), told("open", open, 1), told("open", open, 2), island]
+        );
+        let named = Side { name: Some("strait".to_owned()), ..Side::count(2) };
+        let domain = Domain::rectangle(
+            2.0,
+            1.0,
+            vec![Side::count(2), named, Side::count(2), Side::count(1)],
+        )
+        .unwrap();
+        let found = domain.with_open_water(&[OpenWater::Side("strait".to_owned())], 0.0).unwrap();
+        assert_eq!(sides(&found)[1], told("strait", open, 2));
+        assert_eq!(sides(&found)[2], told("land", land, 2));
+    }
+
+    #[test]
+    fn short_stretches_are_closed() {
+        // One stretch around the first point, 10 long.
+        let found = |least: f64| bay().with_open_water(&[OpenWater::Box], least).unwrap();
+        let open = |domain: &Domain| -> u32 {
+            sides(domain).iter().filter(|side| side.1 == LineKind::Open).map(|side| side.2).sum()
+        };
+        assert_eq!([open(&found(9.9)), open(&found(10.1))], [4, 0]);
+        let between = |ends: [[f64; 2]; 2]| OpenWater::Between(ends.map(DVec2::from));
+        let parts = [between([[0.0, 0.0], [2.0, 0.0]]), between([[4.0, 0.0], [4.0, 3.0]])];
+        assert_eq!(open(&bay().with_open_water(&parts, 2.5).unwrap()), 1);
+    }
+
+    #[test]
+    fn parts_that_are_not_there_are_refused() {
+        let diamond =
+            Domain::from_rings([[[0.0, -1.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]]]).unwrap();
+        let one = DVec2::new(5.0, 5.0);
+        for (part, words) in [
+            (OpenWater::Box, "no side is on the box"),
+            (OpenWater::Side("nix".to_owned()), "there are side 1"),
+            (OpenWater::Between([one; 2]), "nearest to one point"),
+        ] {
+            let error = diamond.with_open_water(&[part], 0.0).unwrap_err().to_string();
+            assert!(error.contains(words), "{error}");
+        }
+    }
+}

@@ -1,0 +1,362 @@
+//! Outlines in degrees of longitude and latitude, projected to a plane in metres.
+//!
+//! An edge runs straight in degrees, as RFC 7946 has it, and the short way around the globe. So a ring across the
+//! antimeridian needs no cut, and one around a pole no seam.
+
+use std::str::FromStr;
+use std::sync::Arc as Shared;
+
+use glam::DVec2;
+use mindeg_domain::{GlobeRegion, Projection};
+
+use super::curve::PieceCurve;
+use super::outline::{DrawnRing, Outlines, Piece};
+use super::text::counted;
+use crate::error::OutlineError;
+
+/// An edge gets a point in its middle where that is farther than this share of its length from the line in the plane.
+const MOST_BENT: f64 = 1e-4;
+/// Coordinates nearer to each other, in degrees, are one.
+const NEAR: f64 = 1e-9;
+
+/// The projection that is wanted for degrees.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ProjectionChoice {
+    /// UTM near the middle of its zone, else stereographic: [`Projection::of_region`].
+    Auto,
+    /// The UTM zone of the region.
+    Utm,
+    /// Lambert's azimuthal equal-area projection about the middle of the region.
+    Laea,
+    /// The stereographic projection about the middle of the region.
+    Stereographic,
+    /// A given one.
+    Given(Projection),
+    /// None: degrees are taken as planar coordinates.
+    None,
+}
+
+impl FromStr for ProjectionChoice {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        Ok(match text {
+            "auto" => Self::Auto,
+            "utm" => Self::Utm,
+            "laea" => Self::Laea,
+            "stereographic" => Self::Stereographic,
+            "none" => Self::None,
+            definition => Self::Given(definition.parse().map_err(|problem| {
+                format!("{problem}; or give auto, utm, laea, stereographic or none")
+            })?),
+        })
+    }
+}
+
+impl Outlines {
+    /// Whether the coordinates are taken for degrees of longitude and latitude, which are not projected.
+    #[must_use]
+    pub fn is_in_degrees(&self) -> bool {
+        self.is_geographic
+    }
+
+    /// Projects degrees of longitude and latitude to metres; a note says how. Edges that bend get points. Sides along the
+    /// box around all degrees get the names south, east, north and west, if they have none.
+    ///
+    /// # Errors
+    ///
+    /// Coordinates that are no degrees, curves, and a region for which the projection is not made.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use mindeg_outlines::{OutlineFormat, ProjectionChoice, read};
+    ///
+    /// let text = br#"{"type": "Polygon", "coordinates": [[[24, 38], [25, 38], [25, 39], [24, 39], [24, 38]]]}"#;
+    /// let alone = |_: &str| Err(std::io::ErrorKind::NotFound.into());
+    /// let degrees = read(text, OutlineFormat::GeoJson, alone)?;
+    /// let (plane, projection) = degrees.projected(ProjectionChoice::Auto)?;
+    /// assert_eq!(projection.map(|it| it.name()).as_deref(), Some("UTM zone 35 north"));
+    /// let ring = &plane.features[0].rings[0];
+    /// assert_eq!(ring.pieces[0].side.as_deref(), Some("south"));
+    /// assert!((ring.segment(0).length() > 5000.0) && ring.pieces.len() > 4);
+    /// # Ok::<(), mindeg_outlines::OutlineError>(())
+    /// ```
+    pub fn projected(
+        mut self,
+        choice: ProjectionChoice,
+    ) -> Result<(Self, Option<Projection>), OutlineError> {
+        let wrong = |problem: String| OutlineError::place("", problem);
+        if choice == ProjectionChoice::None {
+            self.is_geographic = false;
+            return Ok((self, None));
+        }
+        if !self.inside.is_empty() {
+            let problem = "lines and points inside are not projected; leave them out";
+            return Err(wrong(problem.to_owned()));
+        }
+        let rings = || self.features.iter().flat_map(|feature| &feature.rings);
+        rings().try_for_each(check)?;
+        let starts = || rings().flat_map(|ring| ring.pieces.iter().map(|piece| piece.start));
+        let region = GlobeRegion::of(starts());
+        let region = region.ok_or_else(|| {
+            wrong("the points lie all around the globe, and one plane holds less than half of it: choose a part".to_owned())
+        })?;
+        let projection = match choice {
+            ProjectionChoice::Auto | ProjectionChoice::None => Projection::of_region(&region),
+            ProjectionChoice::Utm => Projection::utm(&region),
+            ProjectionChoice::Laea => Projection::equal_area(&region),
+            ProjectionChoice::Stereographic => Projection::stereographic(&region),
+            ProjectionChoice::Given(projection) => Ok(projection),
+        };
+        let projection = projection.map_err(wrong)?;
+        let scales = starts().map(|point| projection.scale(point));
+        let [least, most] = scales.fold([f64::INFINITY, 0.0], |[least, most], it| {
+            [f64::min(least, it), f64::max(most, it)]
+        });
+        let sides = BoxSides::of(starts());
+        let mut projecting = Projecting { projection, sides, added: 0, named: 0 };
+        for ring in self.features.iter_mut().flat_map(|feature| &mut feature.rings) {
+            *ring = projecting.ring(ring)?;
+        }
+        let Projecting { added, named, .. } = projecting;
+        let mut note = format!(
+            "projected degrees by {} ({projection}): lengths in the plane are {least:.4} to {most:.4} of those on the ground",
+            projection.name()
+        );
+        if added > 0 {
+            note += &format!("; put {} on edges that bend", counted(added, "point"));
+        }
+        if named > 0 {
+            note += "; called sides on the box of degrees south, east, north and west";
+        }
+        self.notes.push(note);
+        self.is_geographic = false;
+        Ok((self, Some(projection)))
+    }
+}
+
+/// Refuses a ring that is not of degrees.
+fn check(ring: &DrawnRing) -> Result<(), OutlineError> {
+    for Piece { start, curve, .. } in &ring.pieces {
+        if *curve != PieceCurve::Line {
+            return Err(OutlineError::place(
+                "",
+                "curves are not projected; only straight edges are",
+            ));
+        }
+        if start.x.abs() > 360.0 || start.y.abs() > 90.0 {
+            let problem = format!(
+                "({}, {}) is no longitude and latitude in degrees: the file seems to be projected already; leave out --project",
+                start.x, start.y
+            );
+            return Err(OutlineError::place("", problem));
+        }
+    }
+    Ok(())
+}
+
+/// A longitude from -180, which is left out, to 180.
+fn turned(longitude: f64) -> f64 {
+    let turned = longitude - 360.0 * libm::ceil((longitude - 180.0) / 360.0);
+    if longitude.abs() < 180.0 { longitude } else { turned }
+}
+
+/// The box around all points in degrees.
+struct BoxSides {
+    /// Longitudes count from here.
+    origin: f64,
+    least: DVec2,
+    most: DVec2,
+}
+
+impl BoxSides {
+    fn of(points: impl Iterator<Item = DVec2>) -> Self {
+        let mut sides =
+            Self { origin: f64::NAN, least: DVec2::INFINITY, most: DVec2::NEG_INFINITY };
+        for point in points {
+            if sides.origin.is_nan() {
+                sides.origin = point.x;
+            }
+            let at = sides.place(point);
+            sides.least = sides.least.min(at);
+            sides.most = sides.most.max(at);
+        }
+        sides
+    }
+
+    fn place(&self, point: DVec2) -> DVec2 {
+        DVec2::new(turned(point.x - self.origin), point.y)
+    }
+
+    /// The name of the side on which both ends of an edge lie.
+    fn name(&self, ends: [DVec2; 2]) -> Option<&'static str> {
+        let [a, b] = ends.map(|end| self.place(end));
+        let is_on = |of: fn(DVec2) -> f64, side: DVec2| {
+            (of(a) - of(side)).abs() < NEAR && (of(b) - of(side)).abs() < NEAR
+        };
+        let (x, y): (fn(DVec2) -> f64, fn(DVec2) -> f64) = (|it| it.x, |it| it.y);
+        [
+            ("south", y, self.least),
+            ("east", x, self.most),
+            ("north", y, self.most),
+            ("west", x, self.least),
+        ]
+        .into_iter()
+        .find_map(|(name, of, side)| is_on(of, side).then_some(name))
+    }
+}
+
+struct Projecting {
+    projection: Projection,
+    sides: BoxSides,
+    added: usize,
+    named: usize,
+}
+
+impl Projecting {
+    fn ring(&mut self, ring: &DrawnRing) -> Result<DrawnRing, OutlineError> {
+        // In degrees a pole is an edge, which is a point of the globe and ends a seam.
+        let is_pole = |point: DVec2| point.y.abs() > 90.0 - NEAR;
+        let pieces: Vec<Piece> =
+            ring.pieces.iter().filter(|piece| !is_pole(piece.start)).cloned().collect();
+        let mut projected: Vec<Piece> = Vec::with_capacity(pieces.len());
+        for (index, piece) in pieces.iter().enumerate() {
+            let mut ends = [piece.start, pieces[(index + 1) % pieces.len()].start];
+            ends.iter_mut().for_each(|end| end.x = turned(end.x));
+            let of_box =
+                self.sides.name(ends).filter(|_| piece.side.is_none() && ends[0] != ends[1]);
+            self.named += usize::from(of_box.is_some());
+            let side = of_box.map(Shared::from).or(piece.side.clone());
+            let start = self.projection.to_plane(ends[0]);
+            if !start.is_finite() {
+                let problem = format!(
+                    "({}, {}) has no place in {}: it is too far from the middle; choose another projection",
+                    piece.start.x,
+                    piece.start.y,
+                    self.projection.name()
+                );
+                return Err(OutlineError::place("", problem));
+            }
+            if projected.last().is_some_and(|before| before.start == start) {
+                projected.pop();
+            }
+            projected.push(Piece { start, side: side.clone(), ..piece.clone() });
+            // The short way round.
+            ends[1].x = ends[0].x + turned(ends[1].x - ends[0].x);
+            let mut points = Vec::new();
+            let places = ends.map(|end| self.projection.to_plane(DVec2::new(turned(end.x), end.y)));
+            self.bend(ends, places, &mut points);
+            self.added += points.len();
+            projected.extend(
+                points.into_iter().map(|start| Piece { side: side.clone(), ..Piece::line(start) }),
+            );
+        }
+        while projected.len() > 1
+            && projected.first().map(|it| it.start) == projected.last().map(|it| it.start)
+        {
+            projected.pop();
+        }
+        Ok(DrawnRing { pieces: projected })
+    }
+
+    /// Points on an edge of degrees until it is nearly straight in the plane; the same both ways round.
+    fn bend(&self, degrees: [DVec2; 2], plane: [DVec2; 2], points: &mut Vec<DVec2>) {
+        let middle = degrees[0].midpoint(degrees[1]);
+        let at = self.projection.to_plane(DVec2::new(turned(middle.x), middle.y));
+        let length = plane[0].distance(plane[1]);
+        if !(at.distance(plane[0].midpoint(plane[1])) > MOST_BENT * length) || length < 1.0 {
+            return;
+        }
+        self.bend([degrees[0], middle], [plane[0], at], points);
+        points.push(at);
+        self.bend([middle, degrees[1]], [at, plane[1]], points);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{OutlineFormat, read};
+
+    fn projected(rings: &str, choice: &str) -> Result<(Outlines, Option<Projection>), String> {
+        let text = format!(r#"{{"type": "Polygon", "coordinates": {rings}}}"#);
+        let alone = |_: &str| Err(std::io::ErrorKind::NotFound.into());
+        let outlines = read(text.as_bytes(), OutlineFormat::GeoJson, alone).unwrap();
+        outlines.projected(choice.parse().unwrap()).map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn edges_bend_with_their_parallel_and_get_names() {
+        let (outlines, projection) =
+            projected("[[[22.5, 35.5], [28, 35.5], [28, 40.5], [25, 39], [22.5, 40.5]]]", "auto")
+                .unwrap();
+        let projection = projection.unwrap();
+        assert_eq!(projection.to_string(), "+proj=utm +zone=35 +datum=WGS84");
+        let ring = &outlines.features[0].rings[0];
+        let mut south = 0;
+        for (piece, segment) in ring.pieces.iter().zip(ring.segments()) {
+            let [a, b] = [segment.start, segment.end].map(|end| projection.to_degrees(end));
+            if piece.side.as_deref() == Some("south") {
+                south += 1;
+                assert!((a.y - 35.5).abs() < 1e-10 && (b.y - 35.5).abs() < 1e-10, "{a} {b}");
+                // The chord stays near the parallel.
+                let middle = projection.to_degrees(segment.start.midpoint(segment.end));
+                assert!((middle.y - 35.5).abs() < 2e-5, "{middle}");
+            }
+        }
+        assert!(south > 32, "{south}");
+        let mut names: Vec<_> = ring.pieces.iter().map(|piece| piece.side.as_deref()).collect();
+        names.dedup();
+        assert_eq!(names, [Some("south"), Some("east"), None, Some("west")]);
+        assert!(
+            outlines.notes[0].starts_with("projected degrees by UTM zone 35 north"),
+            "{:?}",
+            outlines.notes
+        );
+        assert!(!outlines.is_in_degrees());
+    }
+
+    #[test]
+    fn the_antimeridian_and_the_poles_are_ordinary_places() {
+        let area = |outlines: &Outlines| outlines.features[0].rings[0].doubled_area().abs() / 2e6;
+        // The same square of two degrees, on and off the antimeridian.
+        let across = "[[[179, -17], [-179, -17], [-179, -19], [179, -19]]]";
+        let (across, _) = projected(across, "laea").unwrap();
+        let beside = "[[[19, -17], [21, -17], [21, -19], [19, -19]]]";
+        let (beside, _) = projected(beside, "laea").unwrap();
+        assert!(
+            (area(&across) / area(&beside) - 1.0).abs() < 1e-6,
+            "{} {}",
+            area(&across),
+            area(&beside)
+        );
+        // A cap with the seam that planar programs draw along the pole: 2 pi R^2 (1 - sin 70).
+        let cap = "[[[-180, 70], [-90, 70], [0, 70], [90, 70], [180, 70], [180, 90], [-180, 90]]]";
+        let (cap, projection) = projected(cap, "laea").unwrap();
+        assert!(projection.unwrap().to_string().starts_with("+proj=laea +lat_0=90"));
+        assert!((area(&cap) / 15.4e6 - 1.0).abs() < 0.01, "{}", area(&cap));
+        let whole = "[[[-180, -80], [-60, -80], [60, -80], [60, 80], [-60, 80], [-180, 80]]]";
+        assert!(projected(whole, "auto").unwrap_err().contains("choose a part"));
+        assert!(
+            projected(&whole.replace("80", "8000"), "auto")
+                .unwrap_err()
+                .contains("leave out --project")
+        );
+    }
+
+    #[test]
+    fn shared_edges_bend_alike_both_ways_round() {
+        let of = |rings: &str| projected(rings, "+proj=stere +lat_0=0 +lon_0=180").unwrap().0;
+        let points = |outlines: &Outlines| -> Vec<[u64; 2]> {
+            let pieces = &outlines.features[0].rings[0].pieces;
+            pieces.iter().map(|piece| [piece.start.x.to_bits(), piece.start.y.to_bits()]).collect()
+        };
+        let mut one = points(&of("[[[170, 50], [-170, 51], [180, 60]]]"));
+        let mut other = points(&of("[[[180, 60], [-170, 51], [170, 50]]]"));
+        one.sort_unstable();
+        other.sort_unstable();
+        assert!(one.len() > 10);
+        assert_eq!(one, other);
+    }
+}

@@ -1,0 +1,225 @@
+//! From a coast in degrees to the grid of an ocean model.
+
+use crate::mesh::content;
+use crate::run::{mindeg, mindeg_reading};
+use serde_json::{Value, json};
+use std::fs;
+use std::path::Path;
+
+fn coast() -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/outlines/saronic.geojson");
+    path.display().to_string()
+}
+
+/// A fort.14: the points with depths, the triangles, the open segments and the others with their type.
+struct Fort14 {
+    points: Vec<[f64; 3]>,
+    triangles: Vec<[usize; 3]>,
+    open: Vec<Vec<usize>>,
+    closed: Vec<(u32, Vec<usize>)>,
+}
+
+/// Reads a fort.14 as ADCIRC does, by code of its own.
+fn fort14(path: &Path) -> Fort14 {
+    let text = fs::read_to_string(path).expect("a fort.14");
+    let mut lines = text.lines().skip(1).map(|line| line.split('=').next().unwrap_or_default());
+    let mut numbers = move || -> Vec<f64> {
+        let line = lines.next().expect("a further line");
+        line.split_whitespace().map(|word| word.parse().expect("a number")).collect()
+    };
+    let counts = numbers();
+    let points =
+        (0..counts[1] as usize).map(|_| numbers()[1..4].try_into().expect("three")).collect();
+    let triangles = (0..counts[0] as usize).map(|_| {
+        let line = numbers();
+        [2, 3, 4].map(|at| line[at] as usize - 1)
+    });
+    let triangles = triangles.collect();
+    let mut segments = || -> Vec<(u32, Vec<usize>)> {
+        let (count, total) = (numbers()[0] as usize, numbers()[0] as usize);
+        let segments: Vec<_> = (0..count)
+            .map(|_| {
+                let head = numbers();
+                let nodes = (0..head[0] as usize).map(|_| numbers()[0] as usize - 1).collect();
+                (head.get(1).map_or(0, |kind| *kind as u32), nodes)
+            })
+            .collect();
+        assert_eq!(
+            segments.iter().map(|(_, nodes): &(u32, Vec<usize>)| nodes.len()).sum::<usize>(),
+            total
+        );
+        segments
+    };
+    let open = segments().into_iter().map(|(_, nodes)| nodes).collect();
+    Fort14 { points, triangles, open, closed: segments() }
+}
+
+/// Depths of a bowl on a grid of degrees, 500 m at most; dry land in the north.
+fn bowl() -> String {
+    let mut text =
+        "ncols 15\nnrows 12\nxllcenter 22.9\nyllcenter 37.1\ncellsize 0.1\nNODATA_value -9999\n"
+            .to_owned();
+    for row in (0..12_i32).rev() {
+        let depth = |column: i32| {
+            if row == 11 { -9999 } else { 500 - 10 * (column - 7).abs() - 20 * (row - 5).abs() }
+        };
+        let line: Vec<String> = (0..15).map(|column| depth(column).to_string()).collect();
+        text += &(line.join(" ") + "\n");
+    }
+    text
+}
+
+#[test]
+fn a_coast_in_degrees_becomes_a_grid_with_open_water_islands_and_depths() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = |name: &str| folder.path().join(name).display().to_string();
+    let run = mindeg([
+        "condition",
+        &coast(),
+        "--project",
+        "auto",
+        "--limit",
+        "25",
+        "--size",
+        "2km",
+        "-o",
+        &at("sea.json"),
+        "--changes",
+        &at("changes.geojson"),
+        "--json",
+    ]);
+    let answer = run.json();
+    assert_eq!(answer["is_reached"], json!(true));
+    assert!(answer["angle_limit"].as_f64().expect("an angle") >= 25.0);
+    assert!(
+        (1.0..=250.0).contains(&answer["moved"].as_f64().expect("metres")),
+        "{}",
+        answer["moved"]
+    );
+    let words = run.errors.clone();
+    assert!(
+        words.contains("projected degrees by UTM zone 34 north (+proj=utm +zone=34 +datum=WGS84)"),
+        "{words}"
+    );
+    let domain: Value =
+        serde_json::from_str(&fs::read_to_string(at("sea.json")).expect("a file")).expect("JSON");
+    assert_eq!(domain["projection"], "+proj=utm +zone=34 +datum=WGS84");
+    // Every change is in the list, in degrees, on a map with both coasts.
+    let changes: Value =
+        serde_json::from_str(&fs::read_to_string(at("changes.geojson")).expect("a file"))
+            .expect("JSON");
+    let features = changes["features"].as_array().expect("a list");
+    assert_eq!(features.len(), 2 + answer["changes"].as_array().expect("a list").len());
+    assert_eq!(features[0]["properties"]["boundary"], "before");
+    for feature in &features[2..] {
+        let [x, y] =
+            [0, 1].map(|axis| feature["geometry"]["coordinates"][axis].as_f64().expect("a number"));
+        assert!((22.85..24.35).contains(&x) && (37.05..38.15).contains(&y), "{feature}");
+    }
+
+    fs::write(at("depth.asc"), bowl()).expect("a file");
+    let run = mindeg([
+        "mesh",
+        &at("sea.json"),
+        "--interior",
+        "--open",
+        "box",
+        "--depth",
+        &at("depth.asc"),
+        "--least-depth",
+        "2",
+        "--json",
+        "-o",
+        &at("sea.14"),
+    ]);
+    let (summary, words) = (run.json(), run.errors.clone());
+    assert!(words.contains("has degrees of longitude and latitude"), "{words}");
+    assert!(words.contains("depths from "), "{words}");
+    let number = |key: &str| summary[key].as_f64().expect("a number");
+    assert!(number("min_angle") >= 25.0 && number("share_of_limit") > 0.9999);
+    let grid = fort14(Path::new(&at("sea.14")));
+    assert_eq!(grid.triangles.len() as u64, summary["triangles"].as_u64().expect("a number"));
+    // Degrees: the corner of the box, exactly, and everything within it.
+    assert!(grid.points.iter().any(|point| point[..2] == [24.3, 37.1]));
+    let depths = grid.points.iter().map(|point| point[2]);
+    assert!(depths.clone().all(|depth| (2.0..=500.0).contains(&depth)));
+    assert!(depths.fold(0.0, f64::max) > 490.0);
+    // Between grid points that are known the depth is bilinear.
+    let on_known = |point: &&[f64; 3]| point[1] < 38.0 && point[1] > 37.15;
+    for [x, y, depth] in grid.points.iter().filter(on_known) {
+        let [column, row] = [x - 22.9, y - 37.1].map(|it| (it / 0.1).max(0.0));
+        let bump = |at: f64, top: f64| {
+            (at.floor() - top).abs() * (1.0 - at.fract())
+                + ((at.floor() + 1.0) - top).abs() * at.fract()
+        };
+        let expected = 500.0 - 10.0 * bump(column, 7.0) - 20.0 * bump(row, 5.0);
+        assert!((depth - expected).abs() < 1e-4, "({x}, {y}): {depth}, not {expected}");
+    }
+    // Few long boundaries: every open node is on the box, and the islands are rings of their own.
+    assert!((1..=6).contains(&grid.open.len()), "{}", grid.open.len());
+    for &node in grid.open.iter().flatten() {
+        let [x, y, _] = grid.points[node];
+        let off =
+            [x - 22.9, x - 24.3, y - 37.1, y - 38.1].map(f64::abs).into_iter().fold(1.0, f64::min);
+        assert!(off < 2e-3, "({x}, {y})");
+    }
+    let islands = grid.closed.iter().filter(|(kind, _)| *kind == 1).count();
+    assert_eq!(islands, 6);
+    let land = grid.closed.len() - islands;
+    assert!(land <= grid.open.len(), "{land} land boundaries");
+    // Counter-clockwise triangles also in degrees.
+    for triangle in &grid.triangles {
+        let [a, b, c] = triangle.map(|node| grid.points[node]);
+        assert!((b[0] - a[0]) * (c[1] - a[1]) > (b[1] - a[1]) * (c[0] - a[0]));
+    }
+    // Where the bottom is steep beside its depth, edges are shorter.
+    let finer = mindeg([
+        "mesh",
+        &at("sea.json"),
+        "--interior",
+        "--depth",
+        &at("depth.asc"),
+        "--slope",
+        "1500",
+        "--json",
+        "-o",
+        &at("finer.14"),
+    ]);
+    let finer = finer.json()["triangles"].as_u64().expect("a number");
+    assert!(finer > 2 * grid.triangles.len() as u64, "{finer}");
+    // Without its projection the file is in metres.
+    mindeg(["mesh", &at("sea.json"), "--interior", "--project", "none", "-o", &at("metres.14")]);
+    let metres = fort14(Path::new(&at("metres.14")));
+    assert!(metres.points.iter().all(|point| point[0] > 6e5 && point[1] > 4e6));
+}
+
+#[test]
+fn lengths_with_units_need_metres() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("sea.json").display().to_string();
+    for arguments in [
+        ["condition", &coast(), "--size", "2km", "-o", &out],
+        ["condition", &coast(), "--within", "200m", "-o", &out],
+    ] {
+        mindeg(arguments).refuses(&["in metres", "look like degrees", "--project auto"]);
+    }
+    mindeg(["mesh", &coast(), "--interior", "--size", "2km", "-o", "x.14"])
+        .refuses(&["--size is in metres"]);
+    let bad = mindeg(["condition", &coast(), "--project", "EPSG:2154", "-o", &out]);
+    bad.refuses(&["EPSG:2154 is not among the projections here", "ogr2ogr -t_srs EPSG:2154"]);
+    let planar =
+        b"{\"type\": \"Polygon\", \"coordinates\": [[[4e5, 4e6], [5e5, 4e6], [4e5, 5e6]]]}";
+    mindeg_reading(["condition", "-", "--project", "auto"], planar)
+        .refuses(&["leave out --project"]);
+    let json = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../../assets/domains/gusset.json")
+        .display()
+        .to_string();
+    mindeg(["condition", &json, "--project", "auto"])
+        .refuses(&["--project", "is a domain in JSON"]);
+    mindeg(["mesh", &json, "--interior", "--open", "nix", "-o", &out.replace("json", "14")])
+        .refuses(&["--open", "no side is called"]);
+    mindeg(["mesh", &json, "--interior", "--slope", "15", "-o", &out.replace("json", "14")])
+        .refuses(&["--slope needs depths"]);
+    assert!(content(folder.path()).is_empty());
+}
