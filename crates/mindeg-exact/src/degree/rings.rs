@@ -107,10 +107,9 @@ fn close(
 ) -> Result<(), Unsolved> {
     let mut steps = steps.saturating_mul(TIMES);
     let mut turn = (steps / FIRST_TURN).max(1);
-    // The work of each way that is under way, with its degree.
-    let (mut refuting, mut meshing): (Option<(u32, Search<'_>)>, Option<(u32, Search<'_>)>) =
-        (None, None);
-    let mut descent: Option<(u32, Descent<'_>)> = None;
+    let mut refuting: UnderWay<Search<'_>> = None;
+    let mut meshing: UnderWay<Search<'_>> = None;
+    let mut descent: UnderWay<Descent<'_>> = None;
     let mut ways = Way::TURNS.into_iter().cycle().peekable();
     while let Some(&way) = ways.peek()
         && !range.is_decided(problem)
@@ -156,8 +155,11 @@ fn close(
     Ok(())
 }
 
+/// The work of a way, with its degree.
+type UnderWay<T> = Option<(u32, T)>;
+
 /// The work at a degree, begun anew unless it is under way.
-fn under_way<T>(work: &mut Option<(u32, T)>, degree: u32, begin: impl FnOnce() -> T) -> &mut T {
+fn under_way<T>(work: &mut UnderWay<T>, degree: u32, begin: impl FnOnce() -> T) -> &mut T {
     let other = work.take().filter(|(of, _)| *of == degree);
     &mut work.insert(other.unwrap_or_else(|| (degree, begin()))).1
 }
