@@ -201,7 +201,7 @@ pub(crate) fn opened(
         }
         Content::Polygons(polygons) => {
             polygons.notes.iter().for_each(|note| say(&format!("{name}: {note}")));
-            Subject::Polygons(polygons)
+            Subject::Polygons(*polygons)
         }
         Content::Mesh(mesh) => Subject::Mesh(mesh),
     })

@@ -21,7 +21,7 @@ pub enum Content {
     /// The JSON text of a whole model, for [`Model::from_json`].
     Model(String),
     /// Polygons in any other format.
-    Polygons(PolygonFile),
+    Polygons(Box<PolygonFile>),
     /// A mesh.
     Mesh(Box<TriMesh>),
 }
@@ -70,12 +70,13 @@ impl Session {
                     self.polygons(input, &bytes, outline, options),
                 ) {
                     (Ok(mesh), _) => Ok(Content::Mesh(Box::new(mesh))),
-                    (Err(_), Ok(polygons)) => Ok(Content::Polygons(polygons)),
+                    (Err(_), Ok(polygons)) => Ok(Content::Polygons(Box::new(polygons))),
                     (Err(error), Err(_)) => Err(error),
                 }
             }
             Kind::Outlines(format) => {
-                self.polygons(input, &bytes, format, options).map(Content::Polygons)
+                let polygons = self.polygons(input, &bytes, format, options)?;
+                Ok(Content::Polygons(Box::new(polygons)))
             }
             Kind::Json => {
                 let text = String::from_utf8(bytes).map_err(|error| {

@@ -192,18 +192,17 @@ impl BoxSides {
     /// The name of the side on which both ends of an edge lie.
     fn name(&self, ends: [DVec2; 2]) -> Option<&'static str> {
         let [a, b] = ends.map(|end| self.place(end));
-        let is_on = |of: fn(DVec2) -> f64, side: DVec2| {
-            (of(a) - of(side)).abs() < NEAR && (of(b) - of(side)).abs() < NEAR
+        let is_on = |axis: usize, side: DVec2| {
+            (a[axis] - side[axis]).abs() < NEAR && (b[axis] - side[axis]).abs() < NEAR
         };
-        let (x, y): (fn(DVec2) -> f64, fn(DVec2) -> f64) = (|it| it.x, |it| it.y);
         [
-            ("south", y, self.least),
-            ("east", x, self.most),
-            ("north", y, self.most),
-            ("west", x, self.least),
+            ("south", 1, self.least),
+            ("east", 0, self.most),
+            ("north", 1, self.most),
+            ("west", 0, self.least),
         ]
         .into_iter()
-        .find_map(|(name, of, side)| is_on(of, side).then_some(name))
+        .find_map(|(name, axis, side)| is_on(axis, side).then_some(name))
     }
 }
 
@@ -265,7 +264,8 @@ impl Projecting {
         let middle = degrees[0].midpoint(degrees[1]);
         let at = self.projection.to_plane(DVec2::new(turned(middle.x), middle.y));
         let length = plane[0].distance(plane[1]);
-        if !(at.distance(plane[0].midpoint(plane[1])) > MOST_BENT * length) || length < 1.0 {
+        let is_bent = at.distance(plane[0].midpoint(plane[1])) > MOST_BENT * length;
+        if !is_bent || length < 1.0 {
             return;
         }
         self.bend([degrees[0], middle], [plane[0], at], points);

@@ -112,9 +112,9 @@ impl<'a> Azimuthal<'a> {
     /// The latitude on the ellipsoid, of sine and cosine of that on the sphere.
     fn latitude(&self, sine: f64, cosine: f64) -> f64 {
         if self.is_equal_area {
-            return libm::asin(self.ellipsoid.from_authalic(sine.clamp(-1.0, 1.0)));
+            return libm::asin(self.ellipsoid.of_authalic(sine.clamp(-1.0, 1.0)));
         }
-        libm::atan(self.ellipsoid.from_conformal(sine / cosine))
+        libm::atan(self.ellipsoid.of_conformal(sine / cosine))
     }
 }
 

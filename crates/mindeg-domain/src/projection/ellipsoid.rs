@@ -46,7 +46,7 @@ impl Ellipsoid {
     }
 
     /// The tangent of the latitude, of that of the conformal latitude (Karney 2011, equations 19 to 21).
-    pub(super) fn from_conformal(&self, conformal: f64) -> f64 {
+    pub(super) fn of_conformal(&self, conformal: f64) -> f64 {
         let rest = 1.0 - self.squared_eccentricity();
         let mut tangent = conformal / rest;
         if !tangent.is_finite() || tangent.abs() > 1e15 {
@@ -79,7 +79,7 @@ impl Ellipsoid {
     }
 
     /// The sine of the latitude, of that of the authalic latitude.
-    pub(super) fn from_authalic(&self, authalic: f64) -> f64 {
+    pub(super) fn of_authalic(&self, authalic: f64) -> f64 {
         let squared = self.squared_eccentricity();
         let wanted = authalic * self.half_zone();
         let mut sine = authalic;

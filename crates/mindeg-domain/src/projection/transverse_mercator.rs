@@ -68,7 +68,7 @@ impl<'a> TransverseMercator<'a> {
         let at = at - self.sum(&INVERSE, at);
         let (sinh, cosine) = (libm::sinh(at.x), libm::cos(at.y));
         let conformal = libm::sin(at.y) / libm::hypot(sinh, cosine);
-        let latitude = libm::atan(self.ellipsoid.from_conformal(conformal));
+        let latitude = libm::atan(self.ellipsoid.of_conformal(conformal));
         DVec2::new(libm::atan2(sinh, cosine) + self.meridian, latitude)
     }
 

@@ -49,10 +49,10 @@ mod tests {
         let at = |corner: u32| DVec2::from_angle(f64::from(corner) * std::f64::consts::TAU / 7.0);
         let points: Vec<DVec2> = (0..7).map(at).collect();
         let vertices: Vec<u32> = (0..7).collect();
-        let rings = [0..7];
+        let ring = 0..7;
         let outline = CheckedOutline {
             points: &points,
-            rings: &rings,
+            rings: std::slice::from_ref(&ring),
             side_of: &vertices,
             keeps_clear: true,
         };
