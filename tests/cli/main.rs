@@ -34,6 +34,7 @@ mod models;
 mod outlines;
 #[cfg(unix)]
 mod outputs_that_are_inputs;
+mod periodic;
 #[path = "../pinned.rs"]
 mod pinned;
 mod polygons;

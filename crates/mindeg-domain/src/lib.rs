@@ -37,9 +37,12 @@ mod joined;
 mod json;
 mod limits;
 mod map;
+mod matching;
 mod model;
 mod name;
+mod noding;
 mod outline;
+mod periodic;
 mod placement;
 mod rectangle;
 mod rings;
@@ -64,12 +67,14 @@ pub use limits::{
     EXACT_COORDINATES, GREATEST_COORDINATE, GREATEST_EXTERNAL_DEGREE, LEAST_SHARE, LEAST_SIDE,
     MAX_STORED_VERTICES,
 };
+pub use matching::{Move, SideMatch};
 pub use mindeg_mesh::LineKind;
 pub use mindeg_mesh::planar::InRing;
 pub use model::{
     FaceGroup, FromMesh, Model, ModelEdge, ModelFace, ModelParts, ModelPlace, PLANAR_SHARE, Plane,
 };
 pub use outline::{Outline, Ring};
+pub use periodic::{Periodic, PeriodicSide};
 pub use placement::{Placement, Walk};
 pub use rectangle::Rectangle;
 pub use rings::Rings;

@@ -6,7 +6,7 @@ use crate::session::Session;
 use mindeg_domain::Domain;
 use mindeg_outlines::{
     self as outlines, Division, DrawnInside, FillRule, Listed, OutlineError, OutlineFormat,
-    Outlines, Polygon, Selection,
+    Outlines, PeriodicCurve, Polygon, Selection, with_periodic_sides,
 };
 use std::path::Path;
 
@@ -41,6 +41,7 @@ pub struct PolygonFile {
     /// Sentences for the user about parts that the reader left out or changed.
     pub notes: Vec<String>,
     inside: DrawnInside,
+    periodic: Vec<PeriodicCurve>,
     name: Option<String>,
     division: Division,
     is_repaired: bool,
@@ -69,7 +70,7 @@ impl PolygonFile {
                  {dashes}repair cuts them there"
             ));
         }
-        let Outlines { features, mut inside, mut notes, .. } = outlines;
+        let Outlines { features, mut inside, periodic, mut notes, .. } = outlines;
         let mut polygons = outlines::labelled(features);
         // A file of one shape without a name is called after that shape.
         if let ([polygon], Some(stem)) = (&mut polygons[..], input.path().and_then(plain_stem))
@@ -92,6 +93,7 @@ impl PolygonFile {
             polygons,
             notes,
             inside,
+            periodic,
             name: options
                 .selection
                 .layer
@@ -119,6 +121,7 @@ impl PolygonFile {
             [_] if !is_plain => self.map_of(polygon),
             _ => polygon.domain(&self.division),
         };
+        let domain = domain.and_then(|domain| with_periodic_sides(domain, &self.periodic));
         domain.map_err(|error| {
             let hint = self.hint(error.is_touch);
             FileError::wrong(format!("{error}{hint}")).of(&polygon.name())
@@ -148,6 +151,11 @@ impl PolygonFile {
             return Ok((vec![domain], Vec::new()));
         }
         let maps = outlines::maps(&self.polygons, &self.inside, &self.division, self.is_repaired);
+        let maps = maps.and_then(|(domains, notes)| {
+            let domains = domains.into_iter();
+            let domains = domains.map(|domain| with_periodic_sides(domain, &self.periodic));
+            Ok((domains.collect::<Result<_, _>>()?, notes))
+        });
         maps.map_err(|error| {
             let hint = if error.is_touch && !self.is_repaired {
                 format!("; {}repair mends such places, and says what it changes", self.dashes)

@@ -115,7 +115,11 @@ pub(super) fn run(
         reversed: domain.was_reversed(),
         map: None,
     };
-    made.say(|| text(&name(domain), &found, &lifting, &summary), || &summary)?;
+    let lines = || {
+        let text = text(&name(domain), &found, &lifting, &summary);
+        [text].into_iter().chain(domain.notes()).collect::<Vec<_>>().join("\n")
+    };
+    made.say(lines, || &summary)?;
     end
 }
 
@@ -192,8 +196,5 @@ fn text(title: &str, found: &InteriorMesh, lifting: &Lifting, summary: &Summary<
     lines.extend(coarse_sides(found));
     lines.extend(corners(report));
     lines.extend(violations(report).map(|violations| format!("warning: {violations}")));
-    if summary.reversed {
-        lines.push("Corners ran clockwise and were reversed; each side kept its edge.".to_owned());
-    }
     lines.join("\n")
 }
