@@ -15,8 +15,8 @@ fn a_domain_is_refused_in_words_of_its_own() {
     let square = r#""rectangle": {"width": 4, "height": 3}"#;
     #[rustfmt::skip]
     let table = [
-        ("{@, \"sides\": [3, 3, 2, 2]}", "line 1, column 52, sides[0]: found the number 3, expected an object with \"intervals\", \"size\", \"spacing\", \"name\", \"kind\", \"outside_degree\", \"max_degree\", \"points\", \"polyline\", \"arc\", \"bezier\""),
-        ("{@, \"sides\": [[3], [3], [2], [2]]}", "line 1, column 52, sides[0]: found a list of 1 value, expected an object with \"intervals\", \"size\", \"spacing\", \"name\", \"kind\", \"outside_degree\", \"max_degree\", \"points\", \"polyline\", \"arc\", \"bezier\""),
+        ("{@, \"sides\": [3, 3, 2, 2]}", "line 1, column 52, sides[0]: found the number 3, expected an object with \"intervals\", \"size\", \"spacing\", \"name\", \"kind\", \"outside_degree\", \"max_degree\", \"points\", \"polyline\", \"arc\", \"bezier\", \"match\""),
+        ("{@, \"sides\": [[3], [3], [2], [2]]}", "line 1, column 52, sides[0]: found a list of 1 value, expected an object with \"intervals\", \"size\", \"spacing\", \"name\", \"kind\", \"outside_degree\", \"max_degree\", \"points\", \"polyline\", \"arc\", \"bezier\", \"match\""),
         ("{\"rectangle\": [4, 3], \"size\": 1}", "line 1, column 15, rectangle: found a list of 2 values, expected an object with \"width\", \"height\", \"origin\", \"rotation\""),
         ("{@, \"size\": 1e-300}", "line 1, column 50, size: side 1: the size 1e-300 makes 4e300 intervals, and a boundary has at most 4294967294 vertices; give a larger size"),
         ("{@, \"size\": 1, \"vertices\": [{\"vertex\": 1, \"max_degree\": 2}]}", "line 1, column 94, vertices[0].max_degree: vertex 1 has a max_degree of 2 and needs 3: 2 edges along its straight side and 1 into the domain; raise max_degree to 3 or more"),

@@ -35,6 +35,7 @@ mod ocean;
 mod outlines;
 #[cfg(unix)]
 mod outputs_that_are_inputs;
+mod periodic;
 #[path = "../pinned.rs"]
 mod pinned;
 mod polygons;

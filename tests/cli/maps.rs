@@ -35,6 +35,109 @@ fn every_format_keeps_regions_lines_and_the_proof() {
     }
 }
 
+/// Two sides, a hole and no other thing are called wall, two lines interface.
+const SHARED: &str = r#"{"rectangle": {"width": 4, "height": 2}, "size": 0.5, "name": "plate",
+    "sides": [{"name": "wall"}, {"name": "outlet"}, {"name": "wall"}, {"name": "inlet"}],
+    "holes": [{"corners": [[3, 1]], "sides": [{"arc": {"center": [2.8, 1]}, "intervals": 16, "name": "wall"}]}],
+    "lines": [{"corners": [[2, 0], [2, 2]], "intervals": 4, "name": "interface"},
+              {"corners": [[1.3, 1], [1.7, 1]], "intervals": 2, "name": "interface"}],
+    "points": [{"at": [0.5, 1], "name": "gauge"}],
+    "regions": [{"at": [0.2, 0.2], "name": "matrix"}, {"at": [3.5, 1.5], "name": "steel", "material": "S235"}]}"#;
+
+#[test]
+fn a_name_is_one_group_in_every_format() {
+    let folder = tempdir().expect("a folder");
+    let at = |name: &str| folder.path().join(name);
+    let domain = at("shared.json");
+    fs::write(&domain, SHARED).expect("a file");
+    let written = |name: &str, options: &[&str]| {
+        let mesh = at(name);
+        let command = ["mesh", text(&domain), "--interior", "-q", "-o", text(&mesh)];
+        mindeg([&command, options].concat()).text();
+        String::from_utf8_lossy(&fs::read(&mesh).expect("a mesh")).into_owned()
+    };
+    let after = |file: &str, start: &str| -> Vec<String> {
+        file.lines().filter_map(|line| line.strip_prefix(start)).map(str::to_owned).collect()
+    };
+    for version in ["2.2", "4.1"] {
+        let msh = written("a.msh", &["--msh-version", version]);
+        let (_, names) = msh.split_once("$PhysicalNames\n").expect("names");
+        let (names, _) = names.split_once("$End").expect("an end");
+        let names: Vec<&str> = names.lines().skip(1).collect();
+        let expected = [
+            "1 1 \"wall\"",
+            "1 2 \"outlet\"",
+            "1 3 \"inlet\"",
+            "1 4 \"interface\"",
+            "2 5 \"matrix\"",
+            "2 6 \"steel\"",
+            "0 7 \"gauge\"",
+        ];
+        assert_eq!(names, expected, "{version}");
+    }
+    let su2 = written("a.su2", &[]);
+    assert_eq!(after(&su2, "MARKER_TAG= "), ["wall", "outlet", "inlet", "interface"]);
+    assert_eq!(after(&su2, "MARKER_ELEMS= "), ["32", "4", "4", "6"]);
+    let inp = written("a.inp", &[]);
+    assert_eq!(after(&inp, "*ELEMENT, TYPE=S3, ELSET="), ["matrix", "steel"]);
+    // Abaqus adds up what has one name.
+    let mut sets = after(&inp, "*NSET, NSET=");
+    sets.sort();
+    sets.dedup();
+    assert_eq!(sets, ["gauge", "inlet", "interface", "outlet", "wall"]);
+    let obj = written("a.obj", &["--boundary-lines"]);
+    assert!(
+        ["matrix", "steel"].iter().all(|name| after(&obj, "o ").iter().any(|own| own == name)),
+        "{obj}"
+    );
+    assert!(["wall", "interface"].iter().all(|name| obj.contains(name)), "{obj}");
+    let gltf = written("a.gltf", &[]);
+    assert!(["matrix", "steel", "S235"].iter().all(|name| gltf.contains(&format!("{name:?}"))));
+    let fort = written("a.14", &[]);
+    assert!(
+        ["wall", "outlet", "inlet"].iter().all(|name| fort.contains(&format!("({name})"))),
+        "{fort}"
+    );
+    // Names by numbers, each once.
+    for name in ["a.vtu", "a.npz"] {
+        let file = written(name, &[]);
+        assert!(name == "a.npz" || file.contains("interface"), "{name}");
+        let back = at("back.msh");
+        mindeg(["convert", text(&at(name)), "--ascii", "-q", "-o", text(&back)]).text();
+        let back = fs::read_to_string(&back).expect("an MSH");
+        for group in ["wall", "interface", "matrix", "steel"] {
+            assert_eq!(back.matches(&format!("\"{group}\"")).count(), 1, "{name}: {group}");
+        }
+    }
+}
+
+/// Lines that cross are refused with both and the place; a repair gives them a point there.
+#[test]
+fn lines_that_cross_are_mended_by_a_repair() {
+    let folder = tempdir().expect("a folder");
+    let at = |name: &str| folder.path().join(name);
+    let (domain, mesh) = (at("cross.json"), at("cross.obj"));
+    let cross = r#"{"rectangle": {"width": 4, "height": 2}, "size": 0.5, "lines": [
+        {"corners": [[1, 1], [3, 1]], "intervals": 4}, {"corners": [[2, 0.5], [2, 1.7]], "intervals": 3}]}"#;
+    fs::write(&domain, cross).expect("a file");
+    let command = ["mesh", text(&domain), "--interior", "-o", text(&mesh)];
+    mindeg(command).refuses(&[
+        "lines[0]",
+        "line 1",
+        "line 2",
+        "(2.0, 1.0)",
+        "--repair gives lines that cross a point",
+    ]);
+    assert!(!mesh.exists());
+    let run = mindeg([&command[..], &["--repair"]].concat());
+    assert!(run.errors.contains("Line 1 crosses line 2 at (2.0, 1.0)"), "{}", run.errors);
+    let verified = mindeg(["verify", text(&mesh), text(&domain), "--repair", "--json"]).json();
+    assert_eq!(verified["valid"], true, "{verified}");
+    // Nothing is mended in vain.
+    mindeg(["mesh", text(&domain), "--snap", "1", "--repair", "-o", text(&mesh)])
+        .refuses(&["--snap is for outlines"]);
+}
+
 /// Eight states with islands: each part is verified against its domain.
 #[test]
 fn a_mesh_of_several_parts_is_verified() {

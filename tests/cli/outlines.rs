@@ -323,7 +323,7 @@ fn mistakes_are_named_with_what_to_do() {
                 "plain.json is a domain in JSON",
             ],
         ),
-        ("plain.json", &["--repair"], &["--repair is for outlines"]),
+        ("plain.json", &["--repair", "--snap", "1"], &["--snap is for outlines"]),
         (
             "broken.geojson",
             &[],
@@ -534,7 +534,7 @@ fn bad_maps_are_refused_with_the_place() {
         (
             "leaves.json",
             json(r#""lines": [{"points": [[1, 1], [5, 2]]}]"#),
-            ["lines[0]", "cross near (4.0, 1.75)", "end the line there"],
+            ["lines[0]", "cross near (4.0, 1.75)", "the line leaves the domain"],
         ),
         (
             "in-hole.json",

@@ -28,6 +28,9 @@ pub struct DegreeReport {
     pub regions: Option<usize>,
     /// The number of vertices.
     pub vertices: u32,
+    /// The number of vertices in the mesh joined at periodic sides, which degrees are of.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub joined_vertices: Option<u32>,
     /// The number of triangles of every mesh.
     pub triangles: u32,
     /// The number of interior edges of every mesh.
@@ -179,6 +182,7 @@ impl DegreeReport {
             intervals: rings.sides().map(u64::from).collect(),
             holes: rings.ring_count() - 1,
             regions: None,
+            joined_vertices: None,
             vertices: rings.vertex_count(),
             triangles,
             // Every triangle has three sides, and boundary edges have one triangle.
@@ -233,18 +237,25 @@ impl DegreeReport {
         let interior_edges = (3 * triangles - rings.vertex_count() - at_holes) / 2;
         // Edges on the boundary have one triangle.
         let edges = interior_edges + rings.vertex_count() + at_holes;
+        let joined = domain.periodic().map(|periodic| {
+            let lists = periodic.joined();
+            let less: usize = lists.iter().map(|list| list.len() - 1).sum();
+            let doubled: u32 = lists.iter().map(|list| periodic.doubled(list[0])).sum();
+            [vertices - less as u32, edges - doubled / 2]
+        });
         Self {
             intervals: rings.sides().map(u64::from).collect(),
             holes: rings.ring_count() - 1 + faces.map_or(0, |faces| faces.count - regions),
-            regions: Some(regions),
+            regions: Some(regions).filter(|_| faces.is_some() || joined.is_none()),
             vertices,
+            joined_vertices: joined.map(|[vertices, _]| vertices),
             triangles,
             interior_edges,
             least_max_degree: answer.least_max_degree(),
             at_least: answer.at_least,
             reached: answer.reached,
             reached_by: "joint",
-            words: map_in_words(domain, answer, bound, [vertices, edges]),
+            words: map_in_words(domain, answer, bound, joined.unwrap_or([vertices, edges])),
             proof: None,
             certificate: match bound {
                 JointBound::Sum { .. } => DegreeProof::Counting,
@@ -273,6 +284,7 @@ impl DegreeReport {
             holes: 0,
             regions: None,
             vertices: boundary.vertex_count(),
+            joined_vertices: None,
             triangles: mindeg_core::bound::triangle_count(boundary),
             interior_edges: mindeg_core::bound::interior_edge_count(boundary),
             least_max_degree: Some(bound),
@@ -310,6 +322,7 @@ impl DegreeReport {
             ("holes", self.holes.to_string()),
             ("regions", self.regions.unwrap_or_default().to_string()),
             ("vertices", self.vertices.to_string()),
+            ("joined vertices", self.joined_vertices.unwrap_or_default().to_string()),
             ("triangles", self.triangles.to_string()),
             ("interior edges", self.interior_edges.to_string()),
             ("least maximum degree", degree),
@@ -317,6 +330,7 @@ impl DegreeReport {
         let is_shown = |name: &str| match name {
             "holes" => self.holes > 0,
             "regions" => self.regions.is_some(),
+            "joined vertices" => self.joined_vertices.is_some(),
             _ => true,
         };
         let rows = rows.into_iter().filter(|(name, _)| is_shown(name));

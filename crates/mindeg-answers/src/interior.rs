@@ -211,20 +211,21 @@ pub fn angles_and_degrees(report: &InteriorReport) -> String {
         (least, greatest) if least == greatest => least.to_string(),
         (least, greatest) => format!("{least} to {greatest}"),
     };
-    let inside = match &report.interior_degree {
-        Some(range) => format!("{} inside, ", degrees(range)),
-        None => String::new(),
-    };
+    let inside = report.interior_degree.as_ref().map(|range| format!("{} inside", degrees(range)));
+    // A mesh that is joined at all its sides has no boundary.
+    let has_boundary = *report.boundary_degree.end() > 0;
+    let boundary = format!("{} at the boundary", degrees(&report.boundary_degree));
+    let degrees = [inside, has_boundary.then_some(boundary)];
+    let degrees = degrees.into_iter().flatten().collect::<Vec<_>>().join(", ");
     let at_degrees = match report.angle_limit > report.limits.angle() {
         true => format!(", {} at the degrees of this mesh", steady_angle(report.angle_limit)),
         false => String::new(),
     };
     format!(
-        "angles {} ({} of the limit{at_degrees}) to {}; degrees {inside}{} at the boundary",
+        "angles {} ({} of the limit{at_degrees}) to {}; degrees {degrees}",
         steady_angle(report.min_angle),
         percent(report.share_of_limit),
         steady_angle(report.max_angle),
-        degrees(&report.boundary_degree),
     )
 }
 

@@ -145,7 +145,11 @@ pub fn found_by(found_by: FoundBy) -> &'static str {
 #[must_use]
 pub fn mesh(meshed: &Meshed, angles: [f64; 2]) -> String {
     let mesh = &meshed.mesh;
-    let total = if mesh.domain().is_constrained() { "total " } else { "" };
+    let total = match mesh.domain() {
+        domain if domain.periodic().is_some() => "joined ",
+        domain if domain.is_constrained() => "total ",
+        _ => "",
+    };
     let counts = [mesh.vertex_count(), mesh.triangle_count(), mesh.max_total_degree()];
     in_line(counts, total, (meshed.is_least_proven, meshed.least_max_degree), angles)
 }

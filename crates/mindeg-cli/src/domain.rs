@@ -159,8 +159,20 @@ pub(crate) fn in_file(
     match subject {
         Subject::Domain(domain) if options.divides() => {
             let sides = overridden(domain.sides().to_vec(), options)?;
-            Ok(Subject::Domain(Box::new(domain.with_sides(sides).map_err(Failure::input)?)))
+            let domain = domain.with_sides(sides).map_err(Failure::input)?;
+            Ok(Subject::Domain(Box::new(periodic(domain, options)?)))
         }
+        Subject::Domain(domain) => Ok(Subject::Domain(Box::new(periodic(*domain, options)?))),
+        Subject::Polygons(polygons) if !options.periodic.is_empty() => match &polygons.polygons[..]
+        {
+            [_] if intervals.is_none() && spacing.is_none() => {
+                Ok(Subject::Domain(Box::new(periodic(polygons.only()?, options)?)))
+            }
+            _ => Err(Failure::input(
+                "--periodic is for one domain, and without --intervals and --spacing in a file of polygons; choose one with \
+                 --feature",
+            )),
+        },
         Subject::Polygons(_) if intervals.is_some() || spacing.is_some() => Err(Failure::input(
             "--intervals and --spacing divide the sides of a domain in JSON; give \
                            --size here, or write the domain with mindeg domain and edit it",
@@ -190,7 +202,15 @@ pub(crate) fn opened(
     Ok(match bar.work(|progress| SESSION.open(&input, wanted, &read, progress))? {
         Content::Domain(text) => {
             options.refuse_for_json(&name)?;
-            let domain = Domain::from_json(&text).map_err(|error| bad(&error))?;
+            let domain = match repair {
+                true => Domain::from_json_noded(&text),
+                false => Domain::from_json(&text),
+            };
+            let domain = domain.map_err(|error| {
+                let is_mended = !repair && Domain::from_json_noded(&text).is_ok();
+                let hint = "; --repair gives lines that cross a point there";
+                bad(&format!("{error}{}", if is_mended { hint } else { "" }))
+            })?;
             let projection = domain.projection().copied();
             let domain = domain
                 .with_projection(projection.filter(|_| project != Some(ProjectionChoice::None)));
@@ -227,7 +247,17 @@ pub(crate) fn from_options(options: &DomainOptions) -> Result<Domain, Failure> {
         return Err(Failure::input("how many intervals? give --intervals a,b,… or --size S"));
     }
     let sides = overridden(vec![Side::count(1); side_count], options)?;
-    Domain::new(outline, sides).map_err(Failure::input)
+    periodic(Domain::new(outline, sides).map_err(Failure::input)?, options)
+}
+
+/// The same domain with the periodic sides that the options give.
+fn periodic(domain: Domain, options: &DomainOptions) -> Result<Domain, Failure> {
+    if options.periodic.is_empty() {
+        return Ok(domain);
+    }
+    domain
+        .with_periodic(&options.periodic)
+        .map_err(|error| Failure::Input(format!("--periodic: {error}")))
 }
 
 /// Applies the command-line options to the sides.

@@ -9,7 +9,10 @@ use crate::domain::Domain;
 use crate::error::{DomainError, Place};
 use crate::inside::Inside;
 use crate::joined;
+use crate::matching::{Move, SideMatch};
+use crate::noding;
 use crate::outline::{Outline, Ring};
+use crate::periodic::{self, Periodic};
 use crate::rectangle::Rectangle;
 use crate::side::Side;
 use crate::split::split_sides;
@@ -131,6 +134,55 @@ impl Domain {
         self.rebuilt(sides, self.inside.clone())
     }
 
+    /// The same domain with some sides that are others, moved: the names of each and of the other. The move is a translation
+    /// where one fits, else a rotation.
+    ///
+    /// # Errors
+    ///
+    /// A name that no side has, or several; sides that do not fit.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use mindeg_domain::{Domain, Side};
+    ///
+    /// let strip = Domain::rectangle(4.0, 3.0, vec![Side::count(4); 4])?;
+    /// let ring = strip.with_periodic(&[("side 2".to_owned(), "side 4".to_owned())])?;
+    /// assert_eq!(ring.periodic().map(|periodic| periodic.sides().len()), Some(1));
+    /// # Ok::<(), mindeg_domain::DomainError>(())
+    /// ```
+    pub fn with_periodic(&self, pairs: &[(String, String)]) -> Result<Self, DomainError> {
+        let mut domain = self.clone();
+        for (name, of) in pairs {
+            let is_called = |&side: &usize| domain.side_name(side) == *name;
+            let is_indexed = |&side: &usize| domain.rings().in_ring(side).side() == *name;
+            let all = 0..domain.sides().len();
+            let mut found: Vec<usize> = all.clone().filter(is_called).collect();
+            if found.is_empty() {
+                found.extend(all.clone().find(is_indexed));
+            }
+            let [side] = found[..] else {
+                let names: Vec<String> =
+                    all.map(|side| format!("{:?}", domain.side_name(side))).collect();
+                let found = if found.is_empty() { "no side is" } else { "several sides are" };
+                let names = names.join(", ");
+                let message =
+                    format!("{found} called {name:?}; sides are {names}, or \"side 2\" by index");
+                return Err(Place::key("sides").error(message));
+            };
+            let with = |by: Move| {
+                let mut sides = domain.sides().to_vec();
+                sides[side].matches = Some(SideMatch { of: of.clone(), by });
+                domain.with_sides(sides)
+            };
+            domain = match with(Move::Translation) {
+                Ok(domain) => domain,
+                Err(error) => with(Move::Rotation).map_err(|_| error)?,
+            };
+        }
+        Ok(domain)
+    }
+
     pub(crate) fn rebuilt(&self, sides: Vec<Side>, inside: Inside) -> Result<Self, DomainError> {
         let rings = self.rings();
         if sides.len() != rings.side_count() {
@@ -159,13 +211,15 @@ pub struct DomainBuilder {
     inside: Inside,
     constraints: Constraints,
     max_vertices: u32,
+    is_noded: bool,
 }
 
 impl DomainBuilder {
     pub(crate) fn new(outline: Outline, sides: Vec<Side>) -> Self {
         let (holes, constraints) = (Vec::new(), Constraints::default());
         let inside = Inside::default();
-        Self { outline, sides, holes, inside, constraints, max_vertices: u32::MAX }
+        let (max_vertices, is_noded) = (u32::MAX, false);
+        Self { outline, sides, holes, inside, constraints, max_vertices, is_noded }
     }
 
     /// Adds a hole. It lies inside the outline, outside all other holes, and touches none of them;
@@ -180,6 +234,12 @@ impl DomainBuilder {
     #[must_use]
     pub fn inside(self, inside: Inside) -> Self {
         Self { inside, ..self }
+    }
+
+    /// Gives lines that cross each other corners there, which are refused otherwise. [`Domain::notes`] says where.
+    #[must_use]
+    pub fn noded(self) -> Self {
+        Self { is_noded: true, ..self }
     }
 
     /// Sets constraints on degrees. Their sides are the sides of the outline and then of each hole, in
@@ -205,14 +265,19 @@ impl DomainBuilder {
     /// vertex, or leave the domain; regions that share a face or lie in none; then constraints that do not fit or that no
     /// mesh keeps.
     pub fn build(self) -> Result<Domain, DomainError> {
-        let Self { outline, sides, holes, mut inside, mut constraints, max_vertices: max } = self;
+        let Self { outline, sides, holes, mut inside, mut constraints, .. } = self;
+        let max = self.max_vertices;
         let corners = outline.corners()?;
         let mut given = vec![Ring { corners, sides }];
         given.extend(holes);
 
+        periodic::divide(&mut given)?;
         let mut divided = Divided::new(&given)?;
         inside.check()?;
         let mut splits = Vec::new();
+        if self.is_noded {
+            splits.extend(noding::node(&mut inside, joined::reach(&divided.points(&given)?))?);
+        }
         constraints.check_side_count(divided.rings.side_count())?;
         // A side that is split gets other points, where another line may have ended.
         while inside.lines.iter().any(Ring::is_open) {
@@ -222,6 +287,7 @@ impl DomainBuilder {
                 break;
             }
             splits.extend(new);
+            periodic::divide(&mut given)?;
             divided = Divided::new(&given)?;
         }
         let vertices = divided.rings.vertex_count();
@@ -237,8 +303,9 @@ impl DomainBuilder {
             constraints.turn_sides(placement.rings().ring_sides(ring));
         }
         let turning = Turning { placement: &placement, straight: &straight };
+        let periodic = Periodic::new(&given, placement.rings())?;
         let has_lines = !inside.lines.is_empty() || !inside.points.is_empty();
-        let convex = if has_lines { None } else { turning.convex_form() };
+        let convex = if has_lines || periodic.is_some() { None } else { turning.convex_form() };
         if convex.is_none() {
             placement.check_exactness()?;
         }
@@ -267,6 +334,7 @@ impl DomainBuilder {
             line_starts,
             point_vertices,
             faces,
+            periodic: periodic.map(Into::into),
             splits,
             outline,
             convex,

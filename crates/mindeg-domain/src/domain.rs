@@ -20,6 +20,7 @@ use crate::inside::Inside;
 use crate::interior::Interior;
 use crate::name;
 use crate::outline::Outline;
+use crate::periodic::Periodic;
 use crate::placement::Placement;
 use crate::projection::Projection;
 use crate::rings::Rings;
@@ -63,6 +64,7 @@ pub struct Domain {
     /// The vertex of each point of [`Inside::points`].
     pub(crate) point_vertices: Vec<u32>,
     pub(crate) faces: Option<Arc<Faces>>,
+    pub(crate) periodic: Option<Arc<Periodic>>,
     /// The sides that were split where lines end, a sentence each.
     pub(crate) splits: Vec<String>,
 }
@@ -132,6 +134,11 @@ impl Domain {
             None if self.rings().ring_sides(ring).len() == 1 => ring_name(ring),
             None => format!("{} side {}", ring_name(ring), index + 1),
         }
+    }
+
+    /// The periodic sides, and the vertices that they make one; none without periodic sides.
+    pub fn periodic(&self) -> Option<&Periodic> {
+        self.periodic.as_deref()
     }
 
     /// Whether a side is straight: all its points are on the line between its ends.

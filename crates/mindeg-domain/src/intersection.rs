@@ -134,10 +134,15 @@ fn of_line(
         BoundaryFault::Crossing(edges) => {
             let near = crossing(edges.map(|edge| [0, 1].map(|step| position(vertex(edge, step)))));
             let [first, second] = edges.map(name);
-            let message = format!(
-                "{first} and {second} cross near {}; end the line there, or move it",
-                at(near)
-            );
+            let near = at(near);
+            let message = match edges.map(|edge| matches!(edge, Ring(_))) {
+                [true, _] | [_, true] => format!(
+                    "{first} and {second} cross near {near}, where the line leaves the domain; end it there, or keep it inside"
+                ),
+                _ => format!(
+                    "{first} and {second} cross near {near}; end the line there, or move it"
+                ),
+            };
             (edges, message)
         }
         BoundaryFault::Overlap(edges) => {

@@ -24,6 +24,7 @@ pub use self::error::DomainJsonError;
 pub use self::model::ModelDescription;
 pub(crate) use self::values::{is_default, or_default, range};
 
+use crate::build::DomainBuilder;
 use crate::domain::Domain;
 use crate::error::Place;
 use crate::interior::Interior;
@@ -102,9 +103,25 @@ impl Domain {
     /// # Ok::<(), mindeg_domain::DomainJsonError>(())
     /// ```
     pub fn from_json_up_to(text: &str, max_vertices: u32) -> Result<Self, DomainJsonError> {
+        Self::of_json(text, |builder| builder.max_vertices(max_vertices))
+    }
+
+    /// [`Domain::from_json`] of a domain in which lines that cross each other get a corner there.
+    ///
+    /// # Errors
+    ///
+    /// The errors of [`Domain::from_json`] but for such lines.
+    pub fn from_json_noded(text: &str) -> Result<Self, DomainJsonError> {
+        Self::of_json(text, DomainBuilder::noded)
+    }
+
+    fn of_json(
+        text: &str,
+        with: impl FnOnce(DomainBuilder) -> DomainBuilder,
+    ) -> Result<Self, DomainJsonError> {
         let description: DomainDescription =
             reader::read(text).map_err(|error| guess::explained(text, error))?;
-        description.domain_up_to(max_vertices).map_err(|error| text::located(text, error))
+        description.build(with).map_err(|error| text::located(text, error))
     }
 
     /// The domain as JSON text. [`Domain::from_json`] reads back the same points, bit for bit.

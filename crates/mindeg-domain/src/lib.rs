@@ -38,10 +38,13 @@ mod joined;
 mod json;
 mod limits;
 mod map;
+mod matching;
 mod model;
 mod name;
+mod noding;
 mod open_water;
 mod outline;
+mod periodic;
 mod placement;
 mod projection;
 mod rectangle;
@@ -68,6 +71,7 @@ pub use limits::{
     EXACT_COORDINATES, GREATEST_COORDINATE, GREATEST_EXTERNAL_DEGREE, LEAST_SHARE, LEAST_SIDE,
     MAX_STORED_VERTICES,
 };
+pub use matching::{Move, SideMatch};
 pub use mindeg_mesh::LineKind;
 pub use mindeg_mesh::planar::InRing;
 pub use model::{
@@ -75,6 +79,7 @@ pub use model::{
 };
 pub use open_water::OpenWater;
 pub use outline::{Outline, Ring};
+pub use periodic::{Periodic, PeriodicSide};
 pub use placement::{Placement, Walk};
 pub use projection::{GlobeRegion, Projection};
 pub use rectangle::Rectangle;

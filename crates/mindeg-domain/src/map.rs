@@ -19,9 +19,12 @@ impl Domain {
         &self.inside
     }
 
-    /// Whether lines or points are inside: every mesh has them, and degrees count the triangles on all sides of them.
+    /// Whether degrees count more than the triangles of one polygon: lines or points are inside, which every mesh has, or
+    /// sides are periodic.
     pub fn is_map(&self) -> bool {
-        !self.inner_points().is_empty() || !self.inner_segments().is_empty()
+        !self.inner_points().is_empty()
+            || !self.inner_segments().is_empty()
+            || self.periodic.is_some()
     }
 
     /// The points inside that every mesh has, of points and of lines: vertices after those of the rings.

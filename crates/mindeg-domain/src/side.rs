@@ -9,6 +9,7 @@ use mindeg_mesh::significant;
 
 use crate::curve::Curve;
 use crate::error::{DomainError, Place};
+use crate::matching::SideMatch;
 use crate::spacing::Spacing;
 
 /// One side of a ring: its curve from its corner to the next, and its division.
@@ -24,6 +25,9 @@ pub struct Side {
     pub name: Option<String>,
     /// The kind of boundary.
     pub kind: Option<LineKind>,
+    /// The side of the same ring that this one is, moved. In a [`Domain`](crate::Domain) its curve and division are
+    /// then those of that side.
+    pub matches: Option<SideMatch>,
 }
 
 /// The number of intervals of a side.
@@ -48,6 +52,7 @@ impl Side {
             spacing: Spacing::Uniform,
             name: None,
             kind: None,
+            matches: None,
         }
     }
 
@@ -96,6 +101,12 @@ impl Side {
     #[must_use]
     pub fn named(self, name: impl Into<String>) -> Self {
         Self { name: Some(name.into()), ..self }
+    }
+
+    /// The same side as another one, moved.
+    #[must_use]
+    pub fn matching(self, other: SideMatch) -> Self {
+        Self { matches: Some(other), ..self }
     }
 
     /// The same side from its end to its start.

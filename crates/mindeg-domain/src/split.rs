@@ -15,7 +15,7 @@ use crate::spacing::Spacing;
 
 /// Where a side is split.
 #[derive(Clone, Copy)]
-enum Cut {
+pub(crate) enum Cut {
     /// At this share of a straight side.
     Share(f64),
     /// Before the side's own point with this index.
@@ -143,7 +143,7 @@ fn share([start, end]: [DVec2; 2], at: DVec2, reach: f64) -> Option<f64> {
 }
 
 /// The side of a ring or line that a point lies within, and where.
-fn cut_of(ring: usize, given: &Ring, at: DVec2, reach: f64) -> Option<(InRing, Cut)> {
+pub(crate) fn cut_of(ring: usize, given: &Ring, at: DVec2, reach: f64) -> Option<(InRing, Cut)> {
     sides_of(ring, given).find_map(|given| {
         let (index, is_straight) = (given.at, given.side.curve == Curve::Line);
         let mut shares = pieces(given).map(|piece| share(piece, at, reach)).enumerate();
@@ -152,7 +152,7 @@ fn cut_of(ring: usize, given: &Ring, at: DVec2, reach: f64) -> Option<(InRing, C
     })
 }
 
-fn apply(
+pub(crate) fn apply(
     ring: &mut Ring,
     index: usize,
     cut: Cut,
@@ -160,6 +160,14 @@ fn apply(
     line: &str,
 ) -> Result<(), DomainError> {
     let side = &mut ring.sides[index];
+    if let Some(matches) = &side.matches {
+        let DVec2 { x, y } = at;
+        return Err(Place::key("match").error(format!(
+            "{line} ends within the side at ({x:?}, {y:?}), and the side has the points of {:?}; end the line at one of \
+             them, or begin another where {:?} has that point",
+            matches.of, matches.of
+        )));
+    }
     let share = match (cut, &mut side.curve) {
         (Cut::Point(piece), Curve::Polyline(points)) => {
             points.insert(piece, at);

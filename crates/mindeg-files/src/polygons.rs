@@ -6,7 +6,7 @@ use crate::session::Session;
 use mindeg_domain::{Domain, Projection};
 use mindeg_outlines::{
     self as outlines, Division, DrawnInside, FillRule, Listed, OutlineError, OutlineFormat,
-    Outlines, Polygon, ProjectionChoice, Selection,
+    Outlines, PeriodicCurve, Polygon, ProjectionChoice, Selection, with_periodic_sides,
 };
 use std::path::Path;
 
@@ -45,6 +45,7 @@ pub struct PolygonFile {
     /// Whether the coordinates are degrees of longitude and latitude, taken as planar.
     pub is_in_degrees: bool,
     inside: DrawnInside,
+    periodic: Vec<PeriodicCurve>,
     name: Option<String>,
     projection: Option<Projection>,
     division: Division,
@@ -82,7 +83,7 @@ impl PolygonFile {
                  {dashes}repair cuts them there"
             ));
         }
-        let Outlines { features, mut inside, mut notes, .. } = outlines;
+        let Outlines { features, mut inside, periodic, mut notes, .. } = outlines;
         let rings = features.iter().flat_map(|feature| &feature.rings);
         let mut starts = rings.flat_map(|ring| ring.pieces.iter().map(|piece| piece.start));
         if is_in_degrees && starts.any(|start| start.abs().max_element() > LEAST_DEGREES) {
@@ -114,6 +115,7 @@ impl PolygonFile {
             polygons,
             notes,
             inside,
+            periodic,
             name: options
                 .selection
                 .layer
@@ -143,7 +145,9 @@ impl PolygonFile {
             [_] if !is_plain => self.map_of(polygon),
             _ => polygon.domain(&self.division),
         };
-        let domain = domain.map(|domain| domain.with_projection(self.projection));
+        let domain = domain
+            .and_then(|domain| with_periodic_sides(domain, &self.periodic))
+            .map(|domain| domain.with_projection(self.projection));
         domain.map_err(|error| {
             let hint = self.hint(error.is_touch);
             FileError::wrong(format!("{error}{hint}")).of(&polygon.name())
@@ -173,11 +177,14 @@ impl PolygonFile {
             return Ok((vec![domain], Vec::new()));
         }
         let maps = outlines::maps(&self.polygons, &self.inside, &self.division, self.is_repaired);
-        let projected = |(maps, notes): (Vec<Domain>, _)| {
-            let maps = maps.into_iter().map(|map| map.with_projection(self.projection));
-            (maps.collect(), notes)
-        };
-        maps.map(projected).map_err(|error| {
+        let maps = maps.and_then(|(domains, notes)| {
+            let domains = domains.into_iter().map(|domain| {
+                let domain = with_periodic_sides(domain, &self.periodic)?;
+                Ok::<Domain, OutlineError>(domain.with_projection(self.projection))
+            });
+            Ok((domains.collect::<Result<_, _>>()?, notes))
+        });
+        maps.map_err(|error| {
             let hint = if error.is_touch && !self.is_repaired {
                 format!("; {}repair mends such places, and says what it changes", self.dashes)
             } else {

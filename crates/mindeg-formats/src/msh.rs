@@ -11,11 +11,12 @@
 //! manual says.
 //!
 //! Limits: names end at a line's end and have no `"`. Of what is read, only nodes, triangles,
-//! quadrilaterals, lines, entities, periodic links and physical names count; data and parametric
+//! quadrilaterals, lines, entities, periodic curves and physical names count; data and parametric
 //! coordinates are passed over. Elements of higher order are taken by their corners.
 
 mod entities;
 mod parts;
+mod periodic;
 mod read;
 mod shapes;
 mod surfaces;

@@ -4,7 +4,7 @@ use std::collections::{HashMap, HashSet, TryReserveError};
 use std::ops::Range;
 
 use glam::DVec3;
-use mindeg_mesh::{Group, Line, NamedVertex, NonTriangles, TriMesh};
+use mindeg_mesh::{Group, Line, NamedVertex, NonTriangles, PeriodicLine, TriMesh};
 
 use crate::ReadError;
 use crate::face_list::FaceList;
@@ -21,6 +21,8 @@ pub struct Polylines {
     pub lines: Vec<Line>,
     /// The surfaces that the file says the lines bound.
     pub surfaces: Vec<PlaneSurface>,
+    /// The lines that are others, moved.
+    pub periodic: Vec<PeriodicLine>,
     /// The points that the file lists by themselves; those without a name have an empty one.
     pub points: Vec<NamedVertex>,
     /// How many faces and volumes the file has besides.
@@ -96,6 +98,16 @@ impl Segments {
             start = *end as usize;
         }
         found
+    }
+
+    /// The index of the line of each thing.
+    pub(crate) fn line_of_thing(&self) -> HashMap<i64, u32> {
+        let mut indices = HashMap::new();
+        for (of, ..) in &self.runs.0 {
+            let next = indices.len() as u32;
+            indices.entry(*of).or_insert(next);
+        }
+        indices
     }
 
     /// A line for each thing, in the order in which they first come, and all segments.

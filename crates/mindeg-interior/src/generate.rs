@@ -6,6 +6,7 @@ use crate::breaklines::Breaklines;
 use crate::finish::finish;
 use crate::fixed::{breaklines, crowded};
 use crate::goal::{Weights, goals};
+use crate::joined::report_joined;
 use crate::lengths::SizeReport;
 use crate::limits::limits;
 use crate::measure::{Wanted, degrees_at_boundary, measure};
@@ -154,7 +155,8 @@ pub fn generate(
             let has = degrees_at_boundary(broken, |v| v);
             self::limits(outline, |v| options.degree_limit(outline, v).max(has(v)))
         };
-        let report = measure(&points, &triangles, &wanted, |v| v, limits_at);
+        let mut report = measure(&points, &triangles, &wanted, |v| v, limits_at);
+        report_joined(&mut report, outline, &stars, &way, (&points, &triangles));
         let found = Generated { points, triangles, line_edges: breaklines.edges.clone(), report };
         // The first way has the wanted growth.
         wanted_sizes.get_or_insert(field);

@@ -3,7 +3,7 @@
 use crate::breaklines::Breaklines;
 use crate::limits::tent_limits;
 use crate::options::Options;
-use crate::star::Stars;
+use crate::star::{Sector, Stars, allotted};
 use mindeg_domain::Prefer;
 use mindeg_mesh::planar::PlanarBoundary;
 use std::f64::consts::PI;
@@ -73,7 +73,54 @@ pub(crate) fn goals(
         let (limit, tents) = (stars.limit(vertex, fan), tents[vertex as usize]);
         Goal { is_boundary, least, triangles, wanted, ideal, fan, limit, tents, sine: 0.0 }.aimed()
     };
-    (0..tents.len() as u32).map(goal).collect()
+    let mut goals: Vec<Goal> = (0..tents.len() as u32).map(goal).collect();
+    share_out(&mut goals, outline, stars, options);
+    goals
+}
+
+/// Shares out the triangles of vertices that are one: the optimiser knows each alone. The one with the widest angles may have
+/// the more or the fewer that the range allows.
+fn share_out(goals: &mut [Goal], outline: &PlanarBoundary, stars: &Stars, options: &Options) {
+    for one in &options.joined {
+        let range = options.triangles_of(outline, one);
+        let sectors: Vec<Sector> =
+            one.vertices.iter().flat_map(|&vertex| stars.at(vertex)).copied().collect();
+        let wanted = match one.is_inside {
+            true => 6.clamp(*range.start(), (*range.end()).max(*range.start())),
+            false => *range.end(),
+        };
+        let least = |sector: &Sector| sector.least;
+        let counts =
+            allotted(&sectors, wanted).unwrap_or_else(|| sectors.iter().map(least).collect());
+        let mut counts = counts.iter();
+        let mut widest: Option<(f64, u32)> = None;
+        for &vertex in &one.vertices {
+            let own = stars.at(vertex).iter().zip(counts.by_ref()).map(|(_, count)| *count);
+            let triangles = own.sum::<u32>().max(stars.least(vertex));
+            let goal = &mut goals[vertex as usize];
+            (goal.wanted, goal.triangles) = (triangles, triangles);
+            if one.is_inside {
+                goal.least = triangles;
+            }
+            let each = outline.angle(vertex) / f64::from(triangles);
+            if widest.is_none_or(|(most, _)| each > most + 1e-9) {
+                widest = Some((each, vertex));
+            }
+        }
+        if let (true, Some((_, vertex))) = (one.is_inside, widest) {
+            let goal = &mut goals[vertex as usize];
+            let fewer = wanted.saturating_sub(*range.start());
+            goal.least = goal.least.saturating_sub(fewer).max(stars.least(vertex));
+            goal.wanted += range.end().saturating_sub(wanted);
+            goal.triangles = goal.wanted;
+        }
+        for &vertex in &one.vertices {
+            let goal = &mut goals[vertex as usize];
+            goal.fan = goal.fan.map(|_| goal.triangles);
+            goal.limit = stars.limit(vertex, goal.fan);
+            *goal = goal.aimed();
+        }
+    }
 }
 
 /// How much each aim counts.

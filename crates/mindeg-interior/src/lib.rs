@@ -78,6 +78,7 @@ mod generate;
 mod goal;
 mod improve;
 mod invariants;
+mod joined;
 mod lengths;
 pub mod limits;
 mod manifold;
@@ -112,7 +113,7 @@ pub use generate::{Generated, generate};
 pub use improve::{Improved, Keep, improve};
 pub use lengths::{CoarseEdge, SizeReport};
 pub use mindeg_domain::{Interior, Prefer, Size, SizeAt};
-pub use options::{InteriorError, Options, check_coordinates};
+pub use options::{InteriorError, JoinedVertices, Options, check_coordinates};
 pub use report::{CertifiedVertex, CornerTradeOff, InteriorReport, LocalShares, Violation};
 pub use surface::{
     CornerLimit, OffDegree, RemeshError, RemeshOptions, RemeshReport, Remeshed, RemeshedCurve,

@@ -8,7 +8,7 @@ use mindeg_mesh::Cancelled;
 use mindeg_mesh::planar::{BoundaryFaults, PlanarBoundary};
 use mindeg_mesh::significant;
 use std::collections::BTreeMap;
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 use thiserror::Error;
 
 /// The greatest number of points of a mesh.
@@ -44,6 +44,8 @@ pub struct Options {
     /// Boundary vertices with a degree limit of their own, in edges, which holds instead of
     /// [`Interior::boundary_degree`]; see [`degree_limit`](crate::limits::degree_limit) for reflex corners.
     pub degree_limits: BTreeMap<u32, u32>,
+    /// Boundary vertices that are one in the mesh joined at periodic sides; [`join`](Self::join) sets them.
+    pub joined: Vec<JoinedVertices>,
     /// For each segment of the boundary's lines, whether it may be divided; those beyond the end may not.
     pub divisible: Vec<bool>,
     /// The names of edges of the boundary: of its rings, then of its lines. Several runs may share one.
@@ -52,6 +54,17 @@ pub struct Options {
     pub beside: Vec<[Option<u32>; 2]>,
     /// The size of each face, infinite where none is wanted; those beyond the end have none.
     pub region_sizes: Vec<f64>,
+}
+
+/// Vertices of a boundary that periodic sides make one.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct JoinedVertices {
+    /// The vertices.
+    pub vertices: Vec<u32>,
+    /// Whether the one is inside the joined mesh, where it has as many edges as triangles.
+    pub is_inside: bool,
+    /// A degree limit of its own, in edges.
+    pub limit: Option<u32>,
 }
 
 impl From<Interior> for Options {
@@ -176,6 +189,34 @@ impl From<DelaunayError> for InteriorError {
 }
 
 impl Options {
+    /// Sets the vertices of a boundary that are one, and the degree limit of each: that of the one, if the others
+    /// have a triangle each.
+    pub fn join(&mut self, outline: &PlanarBoundary, joined: Vec<JoinedVertices>) {
+        for one in &joined {
+            let most = *self.triangles_of(outline, one).end();
+            let own = (most + 2).saturating_sub(one.vertices.len() as u32).max(2);
+            self.degree_limits.extend(one.vertices.iter().map(|&vertex| (vertex, own)));
+        }
+        self.joined = joined;
+    }
+
+    /// The numbers of triangles that are wanted at vertices that are one.
+    pub(crate) fn triangles_of(
+        &self,
+        outline: &PlanarBoundary,
+        one: &JoinedVertices,
+    ) -> RangeInclusive<u32> {
+        let (low, high) = match one.is_inside {
+            true => self.wanted.interior_degree().into_inner(),
+            false => {
+                let angle = one.vertices.iter().map(|&vertex| outline.angle(vertex)).sum();
+                (1, degree_limit(angle, self.wanted.boundary_degree()) - 1)
+            }
+        };
+        let more = u32::from(!one.is_inside);
+        low..=one.limit.map_or(high, |limit| limit.saturating_sub(more).min(high))
+    }
+
     /// The greatest degree wanted of a boundary vertex, in edges.
     #[must_use]
     pub fn degree_limit(&self, outline: &PlanarBoundary, vertex: u32) -> u32 {

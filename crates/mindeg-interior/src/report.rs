@@ -196,7 +196,10 @@ impl InteriorReport {
 }
 
 /// The range around two.
-fn around(one: &RangeInclusive<u32>, other: &RangeInclusive<u32>) -> RangeInclusive<u32> {
+pub(crate) fn around(
+    one: &RangeInclusive<u32>,
+    other: &RangeInclusive<u32>,
+) -> RangeInclusive<u32> {
     *one.start().min(other.start())..=*one.end().max(other.end())
 }
 

@@ -52,7 +52,9 @@ pub use by_name::ByName;
 pub use connectivity::boundary::BoundaryLoop;
 pub use connectivity::disjoint_sets::DisjointSets;
 pub use made_by::MadeBy;
-pub use mesh::{Group, Line, LineKind, Material, Mesh, NamedVertex, Positions, Triangles, filled};
+pub use mesh::{
+    Group, Line, LineKind, Material, Mesh, NamedVertex, PeriodicLine, Positions, Triangles, filled,
+};
 pub use normals::vertex_normals;
 pub use numbers::significant;
 pub use polygons::{NonTriangles, Polygons};

@@ -107,6 +107,11 @@ pub trait Triangles: Sync {
         Cow::Borrowed(&[])
     }
 
+    /// The lines that are others, moved.
+    fn periodic_lines(&self) -> Cow<'_, [PeriodicLine]> {
+        Cow::Borrowed(&[])
+    }
+
     /// Fills `out` with the segments from `first` on. The segments of a line follow one another.
     ///
     /// # Panics
@@ -183,6 +188,19 @@ pub struct NamedVertex {
     pub name: String,
     /// Its index.
     pub vertex: u32,
+}
+
+/// A line that is another one, moved: a mesh that is joined there is periodic.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PeriodicLine {
+    /// Its index.
+    pub line: u32,
+    /// The index of the other line.
+    pub of: u32,
+    /// The rows of the matrix that moves a point (x, y, z, 1) of the other line here.
+    pub matrix: [[f64; 4]; 4],
+    /// Each vertex of the line with the one that is moved there.
+    pub vertices: Vec<[u32; 2]>,
 }
 
 /// The kind of a line on the boundary of a coastal model.

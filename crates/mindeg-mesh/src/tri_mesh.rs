@@ -11,7 +11,7 @@ use thiserror::Error;
 use crate::connectivity::boundary::{BoundaryEdges, BoundaryLoop};
 use crate::connectivity::faces::Faces;
 use crate::connectivity::stars::Stars;
-use crate::mesh::{Group, Line, LineKind, NamedVertex};
+use crate::mesh::{Group, Line, LineKind, NamedVertex, PeriodicLine};
 use crate::polygons::{NonTriangles, Polygons};
 
 /// A triangle mesh in space: any number of groups, with or without boundary, valid or not.
@@ -43,6 +43,7 @@ pub struct TriMesh {
     /// Empty where no line has a kind.
     line_kinds: Vec<Option<LineKind>>,
     named_vertices: Vec<NamedVertex>,
+    periodic_lines: Vec<PeriodicLine>,
     /// Empty where all are 0.
     depths: Vec<f64>,
     polygons: Option<Polygons>,
@@ -107,6 +108,7 @@ impl TriMesh {
             lines: Vec::new(),
             line_kinds: Vec::new(),
             named_vertices: Vec::new(),
+            periodic_lines: Vec::new(),
             depths: Vec::new(),
             polygons: None,
             non_triangles: NonTriangles::default(),
@@ -184,6 +186,26 @@ impl TriMesh {
         let vertices: Vec<[u32; 1]> = named.iter().map(|named| [named.vertex]).collect();
         check_vertices("name", &vertices, self.positions.len())?;
         Ok(Self { named_vertices: named, ..self })
+    }
+
+    /// The same mesh with lines that are others, moved.
+    ///
+    /// # Errors
+    ///
+    /// A line or a vertex that the mesh does not have.
+    pub fn with_periodic_lines(self, periodic: Vec<PeriodicLine>) -> Result<Self, TriMeshError> {
+        for PeriodicLine { line, of, vertices, .. } in &periodic {
+            check_vertices("periodic pair", vertices, self.positions.len())?;
+            if let Some(line) =
+                [line, of].into_iter().find(|line| **line as usize >= self.lines.len())
+            {
+                return Err(TriMeshError(format!(
+                    "a periodic line is {line}; the mesh has {} lines",
+                    self.lines.len()
+                )));
+            }
+        }
+        Ok(Self { periodic_lines: periodic, ..self })
     }
 
     /// The same mesh with the depth of the water at each vertex.

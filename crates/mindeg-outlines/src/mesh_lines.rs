@@ -16,6 +16,7 @@ use mindeg_mesh::NamedVertex;
 use super::curve::{PieceCurve, Segment};
 use super::loops::{self, Link};
 use super::outline::{Border, FillRule, Outlines};
+use super::periodic::PeriodicCurve;
 use super::text::{clean, counted};
 use crate::error::OutlineError;
 
@@ -35,11 +36,14 @@ pub(super) fn read_msh(bytes: &[u8]) -> Result<Outlines, OutlineError> {
         );
         return Err(OutlineError::place("$Elements", problem));
     }
+    let points: Vec<_> = file.positions.iter().map(|point| point.truncate()).collect();
+    let periodic = file.periodic.iter().map(|line| PeriodicCurve::new(line, &points)).collect();
     let has_others = file.others > 0;
     let mut outlines = match file.surfaces.is_empty() {
         true => outlines(file, true)?,
         false => surfaces(&file)?,
     };
+    outlines.periodic = periodic;
     outlines.notes.extend(has_others.then(|| format!("left out {others}")));
     Ok(outlines)
 }

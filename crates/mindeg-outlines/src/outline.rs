@@ -7,6 +7,7 @@ use glam::DVec2;
 use mindeg_domain::InnerPoint;
 
 use super::curve::{PieceCurve, Segment};
+use super::periodic::PeriodicCurve;
 use super::text::quoted;
 
 /// The contents of a file of outlines.
@@ -16,6 +17,8 @@ pub struct Outlines {
     pub features: Vec<Feature>,
     /// Lines and points inside the polygons.
     pub inside: DrawnInside,
+    /// Curves that are others, moved.
+    pub periodic: Vec<PeriodicCurve>,
     /// The reader's omissions and changes, as sentences for the user.
     pub notes: Vec<String>,
     /// The shapes that the file draws, in the order of the polygons.

@@ -32,7 +32,7 @@ use self::faces::{Faces, TriangleList};
 pub(crate) use self::flat::first_flat;
 pub use self::measures::AngleRange;
 #[cfg(feature = "interior")]
-pub(crate) use self::source::lines;
+pub(crate) use self::source::{lines, periodic_lines};
 
 /// A triangulation of a domain's boundary vertices, and their positions.
 ///
@@ -60,6 +60,8 @@ pub struct BoundaryMesh {
     triangulation: Faces,
     /// The regions of the domain, which have the triangles in order.
     groups: Vec<Group>,
+    /// The degrees of vertices of rings in the mesh joined at periodic sides; none without such sides.
+    joined: Vec<u32>,
 }
 
 impl BoundaryMesh {
@@ -93,7 +95,7 @@ impl BoundaryMesh {
         let form = domain.convex().ok_or_else(MeshError::not_convex)?;
         let formula = choice::best_candidate(form, domain.placement(), progress)?;
         let triangulation = Faces::Formula(formula);
-        Ok(Self { domain: domain.clone(), triangulation, groups: Vec::new() })
+        Ok(Self { domain: domain.clone(), triangulation, groups: Vec::new(), joined: Vec::new() })
     }
 
     /// The mesh with the given triangles, region by region and else in their order; vertices have the indices of the
@@ -145,8 +147,14 @@ impl BoundaryMesh {
         let Checked { degrees, max_degree } = checked;
         let segments = boundary.segments().iter().map(std::slice::from_ref);
         let (triangles, groups) = groups(domain, boundary, segments, triangles);
+        let mut joined = Vec::new();
+        if let Some(periodic) = domain.periodic() {
+            joined.extend(&degrees[..boundary.vertex_count() as usize]);
+            periodic.join(&mut joined);
+        }
         let list = TriangleList { triangles, degrees, max_degree };
-        let mesh = Self { domain: domain.clone(), triangulation: Faces::List(list), groups };
+        let triangulation = Faces::List(list);
+        let mesh = Self { domain: domain.clone(), triangulation, groups, joined };
         let without_area = first_of_blocks(mesh.triangle_count(), |range| {
             let placed = mesh.triangles_of(range.clone()).zip(mesh.placed_triangles_of(range));
             let mut flat = placed.filter(|&(_, points)| cotangents(points)[0] == f64::INFINITY);
@@ -349,7 +357,8 @@ impl BoundaryMesh {
         self.triangulation.neighbors(vertex)
     }
 
-    /// The total degree of a vertex: its degree in this mesh plus its external degree. O(log n).
+    /// The total degree of a vertex: its degree in this mesh, or in the one that is joined at periodic sides, plus its
+    /// external degree. O(log n).
     ///
     /// # Panics
     ///
@@ -357,12 +366,13 @@ impl BoundaryMesh {
     pub fn total_degree(&self, vertex: u32) -> u32 {
         let is_inside = vertex >= self.placement().vertex_count();
         let external = if is_inside { 0 } else { self.domain.external_degree(vertex) };
-        self.degree(vertex).saturating_add(external)
+        let own = self.joined.get(vertex as usize).copied();
+        own.unwrap_or_else(|| self.degree(vertex)).saturating_add(external)
     }
 
     /// The largest total degree. O(1) without constraints, otherwise O(n log n).
     pub fn max_total_degree(&self) -> u32 {
-        if !self.domain.is_constrained() {
+        if !self.domain.is_constrained() && self.joined.is_empty() {
             return self.max_degree();
         }
         (0..self.vertex_count()).map(|vertex| self.total_degree(vertex)).fold(0, u32::max)

@@ -101,6 +101,12 @@ pub fn count_changes(
              degree, mesh and tradeoff keep to them",
         ));
     }
+    if domain.periodic().is_some() {
+        return Err(MeshError::refused(
+            "the domain has periodic sides, whose counts change with those of others; mindeg degree and mesh count on the joined \
+             mesh",
+        ));
+    }
     let mut tries = Tries::new(domain, progress);
     let today = degree_decided(domain, None, 1.0, progress)?;
     let floor = floor(domain);

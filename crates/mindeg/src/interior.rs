@@ -45,7 +45,7 @@ pub use mindeg_interior::{
 };
 use posed::Posed;
 
-use crate::boundary_mesh::lines;
+use crate::boundary_mesh::{lines, periodic_lines};
 use crate::regions::groups;
 use mindeg_domain::{Domain, Interior};
 use mindeg_interior::generate;
@@ -103,6 +103,7 @@ pub fn mesh(
     let mesh = TriMesh::new(points, triangles)
         .and_then(|mesh| mesh.with_lines(lines, segments))
         .and_then(|mesh| mesh.with_named_vertices(domain.named_vertices()))
+        .and_then(|mesh| mesh.with_periodic_lines(periodic_lines(domain)))
         .map(|mesh| mesh.with_line_kinds(kinds))
         .map_err(|error| InteriorError::NotFilled(error.to_string()))?;
     let mesh = match groups.is_empty() {

@@ -3,6 +3,7 @@
 //! Limits: those of [models](crate::model); a face with points or lines inside, or one that touches itself, is improved by
 //! flips, and proofs know no more of it than the number of its edges.
 
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 use mindeg_domain::Domain;
@@ -76,24 +77,32 @@ fn mesh_map(
     effort: f64,
     progress: Progress<'_>,
 ) -> Result<MapMesh, MeshError> {
-    let mut joint = joint(domain, progress)?;
+    let Posed { mut joint, vertices: of_face, numbers } = posed(domain, progress)?;
     joint.keep_least(share);
     let delaunay_min_angle = libm::atan(joint.delaunay_tangent()).to_degrees();
     let any = cheap(&joint);
     // A vertex that may have two edges less than all others has two from the start.
-    let mut is_limited = false;
+    let mut limits: BTreeMap<u32, u32> = BTreeMap::new();
     for (vertex, own) in vertex_limits(domain).filter(|(_, own)| *own < limit) {
-        joint.raise(vertex, limit - own);
-        is_limited = true;
+        let least = limits.entry(numbers[vertex as usize]).or_insert(own);
+        *least = own.min(*least);
     }
+    limits.iter().for_each(|(&vertex, own)| joint.raise(vertex, limit - own));
+    let is_limited = !limits.is_empty();
     let bound = solve(&mut joint, limit, WORK * effort, progress)?;
     let at_least = if share > 0.0 || is_limited { any.max_degree() } else { bound.max_degree() };
     // A bound with limits says nothing of meshes without.
-    let bound = if is_limited { any } else { bound };
+    let bound = match if is_limited { any } else { bound } {
+        JointBound::Edges { vertex, edges } => {
+            let own = numbers.iter().position(|&number| number == vertex).unwrap_or_default();
+            JointBound::Edges { vertex: own as u32, edges }
+        }
+        bound => bound,
+    };
     let mut triangles = Vec::new();
     let mut rings = Vec::with_capacity(joint.face_count());
     for (face, own) in joint.triangles.iter().enumerate() {
-        let PlaneFace { vertices, boundary, .. } = joint.face(face);
+        let (vertices, boundary) = (&of_face[face], &joint.face(face).boundary);
         let of_map = |triangle: &[u32; 3]| triangle.map(|place| vertices[place as usize]);
         triangles.extend(own.iter().map(of_map));
         let ring = |ring: Range<u32>| vertices[ring.start as usize..ring.end as usize].to_vec();
@@ -275,11 +284,31 @@ pub(crate) fn delaunay_min_angle(
     domain: &Domain,
     progress: Progress<'_>,
 ) -> Result<f64, MeshError> {
-    Ok(libm::atan(joint(domain, progress)?.delaunay_tangent()).to_degrees())
+    Ok(libm::atan(posed(domain, progress)?.joint.delaunay_tangent()).to_degrees())
 }
 
 /// The faces of a map, triangulated.
-fn joint(domain: &Domain, progress: Progress<'_>) -> Result<Joint, MeshError> {
+struct Posed {
+    joint: Joint,
+    /// For each face its vertices, by those of the domain.
+    vertices: Vec<Vec<u32>>,
+    /// For each vertex of the domain the one that it is in the joint problem.
+    numbers: Vec<u32>,
+}
+
+/// For each vertex of a domain its number in the mesh that is joined at periodic sides, in the order of the least vertices.
+fn numbers(domain: &Domain, count: u32) -> Vec<u32> {
+    let Some(periodic) = domain.periodic() else { return (0..count).collect() };
+    let mut next = 0..;
+    let mut numbers: Vec<u32> = Vec::with_capacity(count as usize);
+    for vertex in 0..count {
+        let known = numbers.get(periodic.vertex(vertex) as usize).copied();
+        numbers.push(known.or_else(|| next.next()).unwrap_or_default());
+    }
+    numbers
+}
+
+fn posed(domain: &Domain, progress: Progress<'_>) -> Result<Posed, MeshError> {
     let boundary = domain.boundary()?;
     let on_rings = boundary.vertex_count();
     let computed;
@@ -290,23 +319,33 @@ fn joint(domain: &Domain, progress: Progress<'_>) -> Result<Joint, MeshError> {
             &computed
         }
     };
-    let mut edges = vec![0; on_rings as usize + boundary.inner_points().len()];
+    let numbers = numbers(domain, on_rings + boundary.inner_points().len() as u32);
+    let number = |vertex: u32| numbers[vertex as usize];
+    let mut edges = vec![0; numbers.iter().max().map_or(0, |&last| last as usize + 1)];
     for vertex in (0..boundary.edge_count()).flat_map(|edge| boundary.ends(edge)) {
-        edges[vertex as usize] += 1;
+        edges[number(vertex) as usize] += 1;
+    }
+    if let Some(periodic) = domain.periodic() {
+        for vertex in (0..on_rings).filter(|&vertex| periodic.vertex(vertex) == vertex) {
+            edges[number(vertex) as usize] -= periodic.doubled(vertex);
+        }
     }
     for vertex in 0..if domain.is_constrained() { on_rings } else { 0 } {
-        let total = &mut edges[vertex as usize];
+        let total = &mut edges[number(vertex) as usize];
         *total = u32::saturating_add(*total, domain.external_degree(vertex));
     }
     let borders = (0..).zip(boundary.face_borders(faces));
     let borders: Vec<Border> =
         borders.filter(|(face, _)| !domain.is_hole(*face)).map(|(_, border)| border).collect();
     let face = |face: usize| {
-        let border = borders[face].clone();
+        let mut border = borders[face].clone();
         let runs = runs(&boundary, &border);
+        border.vertices.iter_mut().for_each(|vertex| *vertex = number(*vertex));
         Ok(PlaneFace::of_border(border, runs))
     };
-    Joint::new(borders.len(), face, edges, Some(0.0), progress)
+    let joint = Joint::new(borders.len(), face, edges, Some(0.0), progress)?;
+    let vertices = borders.into_iter().map(|border| border.vertices).collect();
+    Ok(Posed { joint, vertices, numbers })
 }
 
 /// The straight run of each edge of a face: where two edges of rings meet, as the domain has it.

@@ -47,6 +47,11 @@ pub(crate) struct DomainOptions {
     #[arg(long, value_name = "LAW", value_parser = spacing)]
     pub(crate) spacing: Option<Spacing>,
 
+    /// A side is another one moved, and the mesh is periodic there, such as right=left, or "side 2=side 4"; may be given
+    /// several times. Degrees are those of the joined mesh
+    #[arg(long, value_name = "SIDE=SIDE", value_parser = matched)]
+    pub(crate) periodic: Vec<(String, String)>,
+
     #[command(flatten)]
     pub(crate) outline: OutlineOptions,
 }
@@ -81,7 +86,8 @@ pub(crate) struct OutlineOptions {
     #[arg(long, value_name = "PROJECTION", requires = "domain", allow_hyphen_values = true)]
     pub(crate) project: Option<ProjectionChoice>,
 
-    /// Turn rings that cross or touch into polygons that do not, and drop what bounds no area
+    /// Turn rings that cross or touch into polygons that do not, and drop what bounds no area; give lines inside that cross, in
+    /// JSON too, a point there
     #[arg(long, requires = "domain")]
     pub(crate) repair: bool,
 
@@ -117,8 +123,9 @@ impl OutlineOptions {
             ("--feature", self.feature.is_some()),
             ("--layer", self.layer.is_some()),
             ("--name-by", self.name_by.is_some()),
-            ("--repair", self.repair),
             ("--project", self.project.is_some_and(|choice| choice != ProjectionChoice::None)),
+            ("--snap", self.snap.is_some()),
+            ("--fill-rule", self.fill_rule.is_some()),
         ];
         let Some((option, _)) = given.into_iter().find(|(_, is_given)| *is_given) else {
             return Ok(());
@@ -126,6 +133,18 @@ impl OutlineOptions {
         Err(Failure::Input(format!(
             "{option} is for outlines such as GeoJSON or SVG; {file} is a domain in JSON"
         )))
+    }
+}
+
+/// The names of a side and of the one that it matches.
+fn matched(text: &str) -> Result<(String, String), String> {
+    match text.split_once('=') {
+        Some((side, of)) if !side.trim().is_empty() && !of.trim().is_empty() => {
+            Ok((side.trim().to_owned(), of.trim().to_owned()))
+        }
+        _ => {
+            Err("write the names of two sides, such as right=left or \"side 2=side 4\"".to_owned())
+        }
     }
 }
 

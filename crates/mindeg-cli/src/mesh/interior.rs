@@ -186,6 +186,7 @@ pub(super) fn run(
         [text(&name(domain), &found, &lifting, &summary)]
             .into_iter()
             .chain(depth_words)
+            .chain(domain.notes())
             .collect::<Vec<_>>()
             .join("\n")
     };
@@ -282,8 +283,5 @@ fn text(title: &str, found: &InteriorMesh, lifting: &Lifting, summary: &Summary<
     lines.extend(coarse_sides(found));
     lines.extend(corners(report));
     lines.extend(violations(report).map(|violations| format!("warning: {violations}")));
-    if summary.reversed {
-        lines.push("Corners ran clockwise and were reversed; each side kept its edge.".to_owned());
-    }
     lines.join("\n")
 }

@@ -121,10 +121,14 @@ impl DomainDescription {
     ///
     /// Keys that exclude each other, and what [`DomainBuilder::build`] refuses.
     pub fn domain(self) -> Result<Domain, DomainError> {
-        self.domain_up_to(u32::MAX)
+        self.build(|builder| builder)
     }
 
-    pub(super) fn domain_up_to(self, max_vertices: u32) -> Result<Domain, DomainError> {
+    /// The domain of a builder that `with` adds to.
+    pub(super) fn build(
+        self,
+        with: impl FnOnce(DomainBuilder) -> DomainBuilder,
+    ) -> Result<Domain, DomainError> {
         let Self { name, rectangle, polygon, ring, sides, size, holes, .. } = self;
         let Self { lines, points, regions, vertices, projection, interior, .. } = self;
         let error = |key, message: &str| Err(Place::key(key).error(message));
@@ -157,7 +161,7 @@ impl DomainDescription {
             }
         };
         let outline = outline.unwrap_or(Outline::Polygon(corners));
-        let mut builder = DomainBuilder::new(outline, sides).max_vertices(max_vertices);
+        let mut builder = with(DomainBuilder::new(outline, sides));
         for (hole, given) in holes.unwrap_or_default().into_iter().enumerate() {
             let (ring, constraints) = given.described(hole + 1, size)?;
             builder = builder.hole(ring);

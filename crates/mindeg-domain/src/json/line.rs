@@ -57,6 +57,12 @@ impl LineKeys {
                 let side = |(index, side): (usize, SideKeys)| {
                     let at = InRing { ring: 0, index };
                     let (side, constraint) = side.or_intervals(self.intervals).side(at, size)?;
+                    if side.matches.is_some() {
+                        let place = Place::side(at).then("match");
+                        return Err(
+                            place.error("sides of rings alone are periodic; drop \"match\"")
+                        );
+                    }
                     match constraint == SideConstraint::default() {
                         true => Ok(side),
                         false => Err(Place::side(at).error("degrees are limited at the boundary only; \

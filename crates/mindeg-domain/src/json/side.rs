@@ -10,6 +10,7 @@ use crate::constraints::{ExternalDegree, SideConstraint};
 use crate::curve::{Arc, Curve};
 use crate::domain::Domain;
 use crate::error::{DomainError, Place};
+use crate::matching::SideMatch;
 use crate::side::{Intervals, Side};
 use crate::spacing::Spacing;
 
@@ -51,6 +52,10 @@ pub(super) struct SideKeys {
     /// It runs along the cubic Bézier curve with these two control points
     #[schemars(with = "Option<[[f64; 2]; 2]>")]
     bezier: Option<[DVec2; 2]>,
+    /// Instead of its own curve and division: the side of the same ring that this one is, moved; a mesh joined there is
+    /// periodic, and degrees are those of the joined mesh
+    #[serde(rename = "match")]
+    matches: Option<SideMatch>,
 }
 
 /// An arc: `through` a point or about a `center`
@@ -102,6 +107,10 @@ pub(super) fn lone_side(
         let message = format!("a \"ring\" has its own points; drop {key:?}");
         return Err(Place::side(at).then(key).error(message));
     }
+    if given.matches.is_some() {
+        let message = "a \"ring\" is one side, and a side that matches another needs a ring of several; give corners";
+        return Err(Place::side(at).then("match").error(message));
+    }
     let SideKeys { name, kind, outside_degree, max_degree, .. } = given;
     let external_degree = outside_degree.unwrap_or_default();
     let constraint = SideConstraint { external_degree, degree_limit: max_degree };
@@ -140,6 +149,13 @@ impl SideKeys {
         if let [one, other, ..] = ways[..] {
             return error(format!("a side runs one way: give either {one:?} or {other:?}"));
         }
+        if let (Some(_), Some(key)) =
+            (&self.matches, ways.iter().copied().chain(self.dividing_keys()).next())
+        {
+            return error(format!(
+                "the side has the curve and points of the one it matches; drop {key:?}"
+            ));
+        }
         if let (Some(_), Some(key)) = (&self.points, self.dividing_keys().next()) {
             return error(format!("\"points\" say how many intervals there are; drop {key:?}"));
         }
@@ -152,20 +168,23 @@ impl SideKeys {
         };
         let side = match self.points {
             Some(points) => Side::points(points),
+            None if self.matches.is_some() => Side::count(1),
             None => {
                 let given = (self.intervals, self.size);
                 let intervals = intervals(&place, given, &spacing, default_size)?;
                 Side { curve, intervals, spacing, ..Side::count(1) }
             }
         };
-        let side = Side { name: self.name, kind: self.kind, ..side };
+        let side = Side { name: self.name, kind: self.kind, matches: self.matches, ..side };
         let external_degree = self.outside_degree.unwrap_or_default();
         Ok((side, SideConstraint { external_degree, degree_limit: self.max_degree }))
     }
 
     /// The same keys, with a number of intervals if nothing else divides the side.
     pub(super) fn or_intervals(self, intervals: Option<u64>) -> Self {
-        let is_divided = self.points.is_some() || self.dividing_keys().next().is_some();
+        let is_divided = self.points.is_some()
+            || self.matches.is_some()
+            || self.dividing_keys().next().is_some();
         if is_divided { self } else { Self { intervals, ..self } }
     }
 
@@ -181,7 +200,7 @@ impl SideKeys {
         let is_formula = domain.convex().is_some()
             && domain.sides().iter().all(|side| side.curve == Curve::Line);
         let count = domain.rings().intervals(index);
-        if domain.turned.contains(&ring) && !is_formula && count > 1 {
+        if domain.turned.contains(&ring) && !is_formula && count > 1 && side.matches.is_none() {
             let mut points = vec![DVec2::ZERO; count as usize - 1];
             domain.placement().fill_points(domain.rings().corner(index) + 1, &mut points);
             let Side { name, kind, .. } = side;
@@ -193,8 +212,11 @@ impl SideKeys {
 
     /// The description of a side without constraints.
     pub(super) fn of_side(side: Side) -> Self {
-        let Side { curve, intervals, spacing, name, kind } = side;
-        let given = Self { name, kind, ..Self::default() };
+        let Side { curve, intervals, spacing, name, kind, matches } = side;
+        let given = Self { name, kind, matches, ..Self::default() };
+        if given.matches.is_some() {
+            return given;
+        }
         let given = match curve {
             Curve::Line => given,
             Curve::Polyline(points) if intervals == Intervals::Points => {

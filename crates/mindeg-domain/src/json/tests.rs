@@ -570,7 +570,7 @@ fn refuses_maps_with_the_place() {
         (r#""lines": [{"corners": [[1, 1], [2, 1]], "sides": [{"size": 0}]}]"#, "lines[0].sides[0].size: line 1: side 1: the size is 0.0; it must be a finite number above 0"),
         (r#""lines": [{"corners": [[1, 1], [5, 1]]}]"#, "lines[0]: point 1 of side 2 and line 1 have the same point (4.0, 1.0); end a line there, or move one of them"),
         (r#""lines": [{"corners": [[1, 0.5], [3, 1.5]]}, {"corners": [[1, 1.5], [3, 0.5]], "intervals": 1}]"#, "lines[0]: line 1 touches line 2 at (2.0, 1.0); end a line there, or give the point to both"),
-        (r#""lines": [{"points": [[1, 1], [6, 1.5]]}]"#, "lines[0]: interval 2 of side 2 and line 1 cross near (4.0, 1.3); end the line there, or move it"),
+        (r#""lines": [{"points": [[1, 1], [6, 1.5]]}]"#, "lines[0]: interval 2 of side 2 and line 1 cross near (4.0, 1.3), where the line leaves the domain; end it there, or keep it inside"),
         (r#""lines": [{"points": [[5, 1], [6, 1.5]]}]"#, "lines[0]: line 1 leaves the domain near (5.0, 1.0); keep it inside, off holes"),
         (r#""lines": [{"corners": [[1, 0], [3, 0]]}]"#, "lines[0]: interval 2 of side 1 and line 1 lie on each other near (1.0, 0.0); drop one of them"),
         (r#""points": [{"at": [1, 1]}, {"at": [1, 1]}]"#, "points[1]: point 1 and point 2 have the same point (1.0, 1.0); end a line there, or move one of them"),

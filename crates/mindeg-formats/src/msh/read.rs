@@ -8,14 +8,15 @@ use std::io::Read;
 use mindeg_mesh::{NamedVertex, TriMesh};
 
 use super::parts::{end_part, next_part, skip};
+use super::periodic::Links;
 use super::shapes::{Shape, known_shape};
 use super::surfaces::{Surfaces, check_surface_names, physical_name};
-use crate::ReadError;
 use crate::lists::push;
 use crate::numbered::Nodes;
 use crate::numbers::Numbers;
 use crate::runs::{Elements, Polylines};
 use crate::scanner::Scanner;
+use crate::{MshVersion, ReadError};
 
 /// Reads a mesh from MSH 4.1, or any 2.x, in text or binary of either byte order.
 ///
@@ -64,13 +65,16 @@ pub fn read_lines(mut input: impl Read) -> Result<Polylines, ReadError> {
     input.read_to_end(&mut file)?;
     let contents = contents(&file, Contents { lines_alone: true, ..Contents::default() })?;
     let others = contents.elements.faces.face_count() + contents.elements.volumes;
-    if contents.version == Version::V2 && contents.elements.faces.face_count() == 0 {
+    if contents.version == MshVersion::V2 && contents.elements.faces.face_count() == 0 {
         check_surface_names(&contents.physical_names)?;
     }
     let surfaces = contents.surfaces.outlines(&contents.elements.segments.by_thing())?;
+    let line_of = contents.elements.segments.line_of_thing();
+    let periodic = contents.periodic.lines(&line_of, contents.nodes.as_ref());
     let positions = contents.nodes.map(|nodes| nodes.positions).unwrap_or_default();
     let (lines, segments) = contents.elements.segments.into_lines();
-    Ok(Polylines { positions, segments, lines, surfaces, points: contents.points, others })
+    let points = contents.points;
+    Ok(Polylines { positions, segments, lines, surfaces, periodic, points, others })
 }
 
 fn contents(file: &[u8], mut contents: Contents) -> Result<Contents, ReadError> {
@@ -82,7 +86,7 @@ fn contents(file: &[u8], mut contents: Contents) -> Result<Contents, ReadError> 
         let start = scanner.offset();
         match name {
             b"PhysicalNames" => contents.take_physical_names(&mut scanner)?,
-            b"Entities" if contents.version == Version::V4 => {
+            b"Entities" if contents.version == MshVersion::V4 => {
                 scanner.encoding = encoding;
                 contents.surfaces.take_entities(
                     &mut scanner,
@@ -91,19 +95,25 @@ fn contents(file: &[u8], mut contents: Contents) -> Result<Contents, ReadError> 
                 )?;
             }
             b"Nodes" => match contents.version {
-                Version::V4 => {
+                MshVersion::V4 => {
                     scanner.encoding = encoding;
                     contents.take_nodes_4(&mut scanner)?;
                 }
-                Version::V2 => contents.take_nodes_2(&mut scanner, encoding)?,
+                MshVersion::V2 => contents.take_nodes_2(&mut scanner, encoding)?,
             },
             b"Elements" => match contents.version {
-                Version::V4 => {
+                MshVersion::V4 => {
                     scanner.encoding = encoding;
                     contents.take_elements_4(&mut scanner)?;
                 }
-                Version::V2 => contents.take_elements_2(&mut scanner, encoding)?,
+                MshVersion::V2 => contents.take_elements_2(&mut scanner, encoding)?,
             },
+            b"Periodic" => {
+                if contents.version == MshVersion::V4 {
+                    scanner.encoding = encoding;
+                }
+                contents.periodic.take(&mut scanner, contents.version)?;
+            }
             b"NodeData" if contents.values.as_ref().is_some_and(Vec::is_empty) => {
                 contents.take_values(&mut scanner, encoding)?;
             }
@@ -117,17 +127,10 @@ fn contents(file: &[u8], mut contents: Contents) -> Result<Contents, ReadError> 
     Ok(contents)
 }
 
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-enum Version {
-    #[default]
-    V4,
-    V2,
-}
-
 /// The contents of the parts read so far.
 #[derive(Default)]
 struct Contents {
-    version: Version,
+    version: MshVersion,
     /// Whether curves without a physical group have no name.
     lines_alone: bool,
     /// Where it is wanted, the first data with one number at each node, with the tags of the nodes.
@@ -141,6 +144,7 @@ struct Contents {
     /// The points that are elements; those without a name have an empty one.
     points: Vec<NamedVertex>,
     surfaces: Surfaces,
+    periodic: Links,
 }
 
 /// Reads up to the end of `$MeshFormat`, and says how numbers are stored.
@@ -154,8 +158,8 @@ fn format(scanner: &mut Scanner<'_>, contents: &mut Contents) -> Result<Numbers,
     }
     let version: f64 = scanner.parsed("the version", "a number")?;
     contents.version = match version {
-        4.1 => Version::V4,
-        2.0..3.0 => Version::V2,
+        4.1 => MshVersion::V4,
+        2.0..3.0 => MshVersion::V2,
         _ => {
             let problem = format!("MSH {version} is not read; save it as 4.1 or 2.2");
             return Err(scanner.problem(problem));
@@ -374,9 +378,11 @@ impl Contents {
     }
 
     fn into_mesh(self) -> Result<TriMesh, ReadError> {
+        let line_of = self.elements.segments.line_of_thing();
+        let periodic = self.periodic.lines(&line_of, self.nodes.as_ref());
         let positions = self.nodes.map(|nodes| nodes.positions).unwrap_or_default();
         let mesh = self.elements.into_mesh(positions, "surfaces", "volume elements")?;
         let named = self.points.into_iter().filter(|point| !point.name.is_empty());
-        Ok(mesh.with_named_vertices(named.collect())?)
+        Ok(mesh.with_named_vertices(named.collect())?.with_periodic_lines(periodic)?)
     }
 }

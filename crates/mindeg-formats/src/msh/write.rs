@@ -6,6 +6,7 @@ use mindeg_mesh::Mesh;
 
 use super::entities::Entities;
 use super::parts::end_of;
+use super::periodic::links;
 use super::{write2, write4};
 use crate::corners::{degrees, min_angles};
 use crate::numbers::Numbers;
@@ -42,6 +43,11 @@ pub(crate) fn sections<'a>(mesh: &'a dyn Mesh, options: &WriteOptions) -> Vec<Se
     match options.msh_version {
         MshVersion::V4 => write4::add_sections(mesh, &entities, numbers, &mut sections),
         MshVersion::V2 => write2::add_sections(mesh, &entities, numbers, &mut sections),
+    }
+    let periodic = mesh.periodic_lines();
+    if !periodic.is_empty() {
+        sections.push(Section::bytes(links(&periodic, options.msh_version, numbers)));
+        sections.push(end_of("Periodic", numbers));
     }
     if options.fields {
         let on_elements = options.msh_version == MshVersion::V4;

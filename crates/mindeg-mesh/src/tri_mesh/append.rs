@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::{Degrees, TriMesh, TriMeshError, check_vertices};
-use crate::mesh::{Group, Line, NamedVertex};
+use crate::mesh::{Group, Line, NamedVertex, PeriodicLine};
 use crate::polygons::{NonTriangles, Polygons};
 
 impl TriMesh {
@@ -92,7 +92,7 @@ impl TriMesh {
         u32::try_from(triangles).map_err(|_| TriMeshError::too_many("triangles", triangles))?;
         // Both sums fit in 32 bits, so their summands do.
         let (first, first_triangle) = (first as u32, first_triangle as u32);
-        let first_segment = self.segments.len() as u32;
+        let (first_segment, first_line) = (self.segments.len() as u32, self.lines.len() as u32);
 
         let polygons = match (self.polygons.take(), &other.polygons) {
             (None, None) => None,
@@ -123,6 +123,12 @@ impl TriMesh {
                 .iter()
                 .map(|named| NamedVertex { vertex: first + named.vertex, ..named.clone() }),
         );
+        self.periodic_lines.extend(other.periodic_lines.iter().map(|own| PeriodicLine {
+            line: first_line + own.line,
+            of: first_line + own.of,
+            vertices: own.vertices.iter().map(|pair| pair.map(|vertex| first + vertex)).collect(),
+            ..own.clone()
+        }));
         self.name = self.name.or_else(|| other.name.clone());
         let [a, b] = [self.non_triangles, other.non_triangles];
         self.non_triangles = NonTriangles {

@@ -7,7 +7,9 @@ use glam::DVec3;
 use super::TriMesh;
 use super::TriMeshError;
 use crate::bounds::Bounds;
-use crate::mesh::{Group, Line, LineKind, Mesh, NamedVertex, Positions, Triangles, filled};
+use crate::mesh::{
+    Group, Line, LineKind, Mesh, NamedVertex, PeriodicLine, Positions, Triangles, filled,
+};
 
 impl TriMesh {
     /// The list of any mesh: its positions, triangles, groups, lines, named vertices, kinds and depths.
@@ -35,6 +37,7 @@ impl TriMesh {
             list = list.with_depths(depths);
         }
         list = list.with_named_vertices(mesh.named_vertices().into_owned())?;
+        list = list.with_periodic_lines(mesh.periodic_lines().into_owned())?;
         if !mesh.groups().is_empty() {
             list = list.with_groups(mesh.groups().to_vec());
         }
@@ -115,6 +118,10 @@ impl Triangles for TriMesh {
         Cow::Borrowed(&self.named_vertices)
     }
 
+    fn periodic_lines(&self) -> Cow<'_, [PeriodicLine]> {
+        Cow::Borrowed(&self.periodic_lines)
+    }
+
     fn fill_segments(&self, first: u32, out: &mut [[u32; 2]]) {
         out.copy_from_slice(&self.segments[first as usize..][..out.len()]);
     }
@@ -133,6 +140,8 @@ mod tests {
         let full = plain.clone().named("plate").with_lines(vec![line], vec![[0, 1]]).unwrap();
         let gauge = NamedVertex { name: "gauge".into(), vertex: 3 };
         let full = full.with_named_vertices(vec![gauge]).unwrap();
+        let turned = PeriodicLine { line: 0, of: 0, matrix: [[1.0; 4]; 4], vertices: vec![[0, 2]] };
+        let full = full.with_periodic_lines(vec![turned]).unwrap();
         let full = full.with_line_kinds(vec![Some(LineKind::Land)]).with_groups(groups);
         for mesh in [plain, full.with_depths(vec![1.0, 0.0, 2.0, 0.0])] {
             assert_eq!(TriMesh::of(&mesh).unwrap(), mesh);

@@ -259,6 +259,36 @@ const LAYERS: &str = "LWPOLYLINE 8=matrix 70=1 10=0 20=0 10=4 20=0 10=4 20=4 10=
     LINE 8=plate 10=4 20=4 11=4 21=0\nLINE 8=breakline 10=4.5 20=1 11=5 21=2\nPOINT 8=gauge 10=5 20=3\nPOINT 10=0.5 20=0.5";
 
 #[test]
+fn lines_inside_that_cross_are_noded_by_a_repair() {
+    // Two lines cross each other, one ends on the plate's side without a point, one crosses the border of two regions.
+    let drawn = "LWPOLYLINE 8=one 70=1 10=0 20=0 10=2 20=0 10=2 20=2 10=0 20=2
+    LWPOLYLINE 8=two 70=1 10=2 20=0 10=4 20=0 10=4 20=2 10=2 20=2
+    LINE 8=a 10=0.5 20=0.5 11=1.5 21=1.5\nLINE 8=b 10=0.5 20=1.5 11=1.5 21=0.5
+    LINE 8=c 10=1.75 20=0.25 11=4 21=0.25";
+    let by_layer = Selection { layer: None, name_by: Some("layer".to_owned()) };
+    let drawn = selected(drawn, by_layer).unwrap();
+    let mapped = |Outlines { features, inside, .. }: Outlines| {
+        maps(&labelled(features), &inside, &Division::default(), true)
+    };
+    let error = mapped(drawn.clone()).unwrap_err();
+    assert!(error.is_touch, "{error}");
+    let repaired = drawn.repaired_together(None, None).unwrap();
+    let said = repaired.notes.last().cloned().unwrap_or_default();
+    // Both lines at their crossing, the border and the line there, and the outline.
+    assert_eq!(said, "added 5 points where lines inside meet others or a ring");
+    let (found, _) = mapped(repaired).unwrap();
+    let [map] = &found[..] else { panic!("{found:?}") };
+    let first = map.rings().vertex_count();
+    let meets = |at: [f64; 2]| {
+        let index = map.inner_points().iter().position(|point| point.to_array() == at).unwrap();
+        let vertex = first + index as u32;
+        map.inner_segments().iter().filter(|ends| ends.contains(&vertex)).count()
+    };
+    assert_eq!([meets([1.0, 1.0]), meets([2.0, 0.25])], [4, 4]);
+    assert_eq!(map.faces().unwrap().count, 3);
+}
+
+#[test]
 fn layers_are_the_regions_of_a_map() {
     let by_layer = Selection { layer: None, name_by: Some("layer".to_owned()) };
     let Outlines { features, inside, notes, .. } = selected(LAYERS, by_layer.clone()).unwrap();

@@ -14,6 +14,9 @@ use crate::text::shown;
 /// Whatever has no region between several and a width that is a smaller share of its length is a gap.
 const SLIVER: f64 = 1e-3;
 
+/// Edges that face each other along less than this share of their greatest coordinate do so by rounding.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
 /// A gap between two regions.
 pub(super) struct Gap {
     at: DVec2,
@@ -110,7 +113,9 @@ impl Bound {
         });
         let (first, last) = (from.x.max(0.0), to.x.min(length));
         let common = last - first;
-        if common <= 0.0 {
+        // Edges that end at one point face each other by what rounding leaves.
+        let greatest = self.low.abs().max(self.high.abs()).max_element();
+        if common <= ROUNDING * greatest {
             return None;
         }
         let across = |x: f64| from.y + (to.y - from.y) * ((x - from.x) / (to.x - from.x));

@@ -3,8 +3,8 @@
 use std::borrow::Cow;
 
 use glam::DVec3;
-use mindeg_domain::Domain;
-use mindeg_mesh::{Bounds, Group, Line, LineKind, NamedVertex, Positions, Triangles};
+use mindeg_domain::{Domain, PeriodicSide};
+use mindeg_mesh::{Bounds, Group, Line, LineKind, NamedVertex, PeriodicLine, Positions, Triangles};
 
 use super::BoundaryMesh;
 
@@ -77,6 +77,10 @@ impl Triangles for BoundaryMesh {
         Cow::Owned(self.domain().named_vertices())
     }
 
+    fn periodic_lines(&self) -> Cow<'_, [PeriodicLine]> {
+        Cow::Owned(periodic_lines(self.domain()))
+    }
+
     fn groups(&self) -> &[Group] {
         &self.groups
     }
@@ -107,4 +111,21 @@ pub(crate) fn lines(domain: &Domain) -> Vec<Line> {
         is_straight: domain.is_straight(side),
     };
     (0..rings.side_count()).map(line).collect()
+}
+
+/// The periodic sides of a domain as lines of a mesh whose first lines are the sides. A side that is several in a row has
+/// the first of them for all.
+pub(crate) fn periodic_lines(domain: &Domain) -> Vec<PeriodicLine> {
+    let sides = domain.periodic().map_or(&[][..], |periodic| periodic.sides());
+    let line = |side: &PeriodicSide| {
+        let row = |[a, b, c]: [f64; 3]| [a, b, 0.0, c];
+        let [x, y] = side.matrix.map(row);
+        PeriodicLine {
+            line: side.side as u32,
+            of: side.of[0] as u32,
+            matrix: [x, y, [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]],
+            vertices: side.vertices.clone(),
+        }
+    };
+    sides.iter().map(line).collect()
 }

@@ -3,8 +3,10 @@
 use std::borrow::Cow;
 use std::ops::Range;
 
-use mindeg_domain::{Domain, Interior, Region, Size, SizeAt};
-use mindeg_interior::{Generated, InteriorError, Options, check_coordinates, size_of_area};
+use mindeg_domain::{Domain, Interior, Periodic, Region, Size, SizeAt};
+use mindeg_interior::{
+    Generated, InteriorError, JoinedVertices, Options, check_coordinates, size_of_area,
+};
 use mindeg_mesh::planar::{Border, PlanarBoundary};
 
 /// The boundary of a domain for the engine: around regions that are holes.
@@ -73,7 +75,9 @@ impl<'a> Posed<'a> {
                 .collect();
             options.region_sizes = domain.inside().regions.iter().map(size_of_region).collect();
         }
-        if domain.is_constrained() {
+        if let Some(periodic) = domain.periodic() {
+            options.join(boundary, self.joined(domain, periodic));
+        } else if domain.is_constrained() {
             for vertex in 0..boundary.vertex_count() {
                 let own = self.vertex(vertex);
                 if own < on_rings
@@ -89,6 +93,29 @@ impl<'a> Posed<'a> {
             }
         }
         Ok(options)
+    }
+
+    /// The engine's vertices that periodic sides make one.
+    fn joined(&self, domain: &Domain, periodic: &Periodic) -> Vec<JoinedVertices> {
+        let mut of_domain: Vec<(u32, u32)> = (0..self.boundary().vertex_count())
+            .map(|vertex| (self.vertex(vertex), vertex))
+            .collect();
+        of_domain.sort_unstable();
+        let limit = |own: &[u32]| {
+            let least = own.iter().filter_map(|&vertex| domain.degree_limit(vertex)).min()?;
+            let external = own.iter().map(|&vertex| domain.external_degree(vertex)).sum();
+            Some(u32::saturating_sub(least, external))
+        };
+        let joined = periodic.joined().into_iter().map(|own| {
+            let from = |vertex: u32| of_domain.partition_point(|(other, _)| *other < vertex);
+            let of = |&vertex: &u32| &of_domain[from(vertex)..from(vertex + 1)];
+            JoinedVertices {
+                vertices: own.iter().flat_map(of).map(|(_, vertex)| *vertex).collect(),
+                is_inside: periodic.is_inside(own[0]),
+                limit: if domain.is_constrained() { limit(&own) } else { None },
+            }
+        });
+        joined.filter(|one| !one.vertices.is_empty()).collect()
     }
 
     /// The runs of edges with the names of sides and lines.

@@ -3,6 +3,8 @@
 //! Each face gets the triangulation with the least sum of the cotangents of minimum angles, which
 //! the worst triangles decide, among those in which no vertex has more edges than the maximum.
 
+use std::collections::BTreeSet;
+
 use glam::DVec2;
 use mindeg_exact::measure::min_angle_tangent;
 use mindeg_exact::{Block, Cost, Patch};
@@ -69,8 +71,11 @@ fn improved(joint: &Joint, face: usize, degree: u32) -> Option<Vec<[u32; 3]>> {
     let plane_face = joint.face(face);
     let problem = plane_face.problem(&joint.triangles[face])?;
     let mut patch = Patch::new(&problem);
-    let most = |(place, &vertex): (u32, &u32)| {
-        (degree + patch.chords(place)).saturating_sub(joint.totals[vertex as usize])
+    // Of places that are one vertex, the first may take what the vertex has left.
+    let mut seen = BTreeSet::new();
+    let most = |(place, &vertex): (u32, &u32)| match seen.insert(vertex) {
+        true => (degree + patch.chords(place)).saturating_sub(joint.totals[vertex as usize]),
+        false => patch.chords(place),
     };
     let most = (0..).zip(&plane_face.vertices).map(most).collect();
     let cost = Angles { most, threshold: joint.thresholds[face] };

@@ -44,7 +44,9 @@ pub(super) struct JointCheck<'a> {
     boundary: &'a PlanarBoundary,
     mesh: &'a VerifiedMesh,
     faces: Vec<Face>,
-    /// The edges at each vertex that every mesh has.
+    /// For each vertex its number in the mesh that is joined at periodic sides, in the order of the least vertices.
+    numbers: Vec<u32>,
+    /// The edges at each of these that every mesh has.
     edges_at: Vec<u32>,
 }
 
@@ -66,15 +68,21 @@ impl<'a> JointCheck<'a> {
             face.triangles.push(*triangle);
             face.halves.extend(sides(*triangle).into_iter().filter(is_around));
         }
-        let mut edges_at: Vec<u32> = vec![0; mesh.points.len()];
+        let numbers = joined_numbers(domain, mesh.points.len());
+        let mut edges_at: Vec<u32> =
+            vec![0; numbers.iter().max().map_or(0, |&last| last as usize + 1)];
+        let moved = moved_edges(domain);
         let ring_edges = (0..domain.rings().vertex_count()).map(|v| [v, domain.rings().next(v)]);
+        let ring_edges = ring_edges.filter(|&[a, b]| !moved.contains(&[a.min(b), a.max(b)]));
         for end in ring_edges.chain(boundary.segments().iter().copied()).flatten() {
-            edges_at[end as usize] += 1;
+            edges_at[numbers[end as usize] as usize] += 1;
         }
-        for (vertex, edges) in (0..domain.rings().vertex_count()).zip(&mut edges_at) {
+        for vertex in 0..domain.rings().vertex_count() {
+            let edges = &mut edges_at[numbers[vertex as usize] as usize];
             *edges = edges.saturating_add(domain.external_degree(vertex));
         }
-        Some(Self { domain, boundary, mesh, faces: faces.into_values().collect(), edges_at })
+        let faces = faces.into_values().collect();
+        Some(Self { domain, boundary, mesh, faces, numbers, edges_at })
     }
 
     /// Why no mesh of the map has a smaller maximum degree than `at_least`, if the bound proves that. `rings` are those of
@@ -89,12 +97,14 @@ impl<'a> JointCheck<'a> {
         match bound {
             JointBound::Sum { .. } => {
                 // All meshes have as many edges as this one.
-                let sum: u64 = self.mesh.degrees.iter().map(|&degree| u64::from(degree)).sum();
-                let most = u64::from(less) * self.mesh.degrees.len() as u64;
+                let mut joined: BTreeMap<u32, u32> = BTreeMap::new();
+                joined.extend(self.numbers.iter().copied().zip(self.mesh.degrees.iter().copied()));
+                let sum: u64 = joined.values().map(|&degree| u64::from(degree)).sum();
+                let most = u64::from(less) * joined.len() as u64;
                 (sum > most).then_some(Proof::Counting)
             }
             JointBound::Edges { vertex, .. } => {
-                let edges = *self.edges_at.get(*vertex as usize)?;
+                let edges = self.edges_at[*self.numbers.get(*vertex as usize)? as usize];
                 (edges >= at_least).then_some(Proof::Edges { edges })
             }
             JointBound::Side { face, .. } => {
@@ -160,6 +170,7 @@ impl<'a> JointCheck<'a> {
         let boundary = PlanarBoundary::of_mesh(&rings).with_sides(Vec::new(), side_of.clone());
         let problem = Problem::triangulated(&boundary, &triangles?).ok()?;
         let keeps_clear = problem.keeps_clear();
+        let vertices = vertices.iter().map(|&vertex| self.numbers[vertex as usize]).collect();
         Some(Outline { vertices, points, rings: ranges, side_of, keeps_clear })
     }
 
@@ -235,9 +246,13 @@ impl<'a> JointCheck<'a> {
                     outline.least_weight(&own)?
                 }
                 _ => {
-                    let vertices = face.triangles.iter().flatten();
+                    let vertices = face
+                        .triangles
+                        .iter()
+                        .flatten()
+                        .map(|&vertex| self.numbers[vertex as usize]);
                     let ends = 3 * face.triangles.len() - face.halves.len();
-                    vertices.map(|&vertex| of(vertex)).min()? * ends as u128
+                    vertices.map(of).min()? * ends as u128
                 }
             };
             sum += least;
@@ -257,6 +272,44 @@ impl<'a> JointCheck<'a> {
         .collect();
         (ring.len() == face.halves.len()).then_some(ring)
     }
+}
+
+/// For each of a number of vertices its number in the mesh that is joined at periodic sides.
+fn joined_numbers(domain: &Domain, count: usize) -> Vec<u32> {
+    let Some(periodic) = domain.periodic() else { return (0..count as u32).collect() };
+    // What is one, by the pairs alone, until nothing changes.
+    let mut least: Vec<u32> = (0..count as u32).collect();
+    let mut is_changed = true;
+    while is_changed {
+        is_changed = false;
+        for &[a, b] in periodic.sides().iter().flat_map(|side| &side.vertices) {
+            let own = least[a as usize].min(least[b as usize]);
+            is_changed |= least[a as usize] != own || least[b as usize] != own;
+            (least[a as usize], least[b as usize]) = (own, own);
+        }
+    }
+    let firsts: BTreeSet<u32> = least.iter().copied().collect();
+    let number: BTreeMap<u32, u32> = firsts.into_iter().zip(0..).collect();
+    least.iter().map(|vertex| number[vertex]).collect()
+}
+
+/// The edges of periodic sides, which are others in the joined mesh; the smaller end first.
+fn moved_edges(domain: &Domain) -> BTreeSet<[u32; 2]> {
+    let sides = domain.periodic().map_or(&[][..], |periodic| periodic.sides());
+    let edges = sides.iter().flat_map(|side| side.vertices.windows(2));
+    edges.map(|pair| [pair[0][0], pair[1][0]]).map(|[a, b]| [a.min(b), a.max(b)]).collect()
+}
+
+/// The number of edges at each of a number of vertices in the mesh that is joined at periodic sides.
+pub(super) fn joined_degrees(domain: &Domain, triangles: &[[u32; 3]], count: usize) -> Vec<u32> {
+    let (numbers, moved) = (joined_numbers(domain, count), moved_edges(domain));
+    let edges: BTreeSet<[u32; 2]> =
+        triangles.iter().flat_map(|&t| sides(t)).map(|[a, b]| [a.min(b), a.max(b)]).collect();
+    let mut degrees = vec![0; count];
+    for end in edges.difference(&moved).flatten() {
+        degrees[numbers[*end as usize] as usize] += 1;
+    }
+    numbers.iter().map(|&number| degrees[number as usize]).collect()
 }
 
 impl Outline {

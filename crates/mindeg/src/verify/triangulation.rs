@@ -8,6 +8,7 @@ use mindeg_mesh::check;
 
 use super::defect::MeshDefect;
 use super::fault;
+use super::joint::joined_degrees;
 use super::map::MapLines;
 use super::matching::{MatchedPlane, VerifiedMesh, matched, tolerance_of};
 
@@ -92,12 +93,19 @@ fn checked(
     if !domain.inside().regions.is_empty() {
         lines.check_groups(domain, given, &mesh)?;
     }
+    if domain.periodic().is_some() {
+        mesh.degrees = joined_degrees(domain, &mesh.triangles, mesh.points.len());
+    }
     if mesh.interior_points > 0 {
         let wanted = domain.interior().map_or_else(Default::default, Interior::clone);
         let range = wanted.interior_degree();
         let inside = boundary.points().len() as u32..mesh.points.len() as u32;
         let at_holes: BTreeSet<u32> = open.as_flattened().iter().copied().collect();
-        for vertex in inside.filter(|vertex| !at_holes.contains(vertex)) {
+        let periodic = domain.periodic();
+        let joined = (0..domain.rings().vertex_count()).filter(|&vertex| {
+            periodic.is_some_and(|own| own.vertex(vertex) == vertex && own.is_inside(vertex))
+        });
+        for vertex in joined.chain(inside).filter(|vertex| !at_holes.contains(vertex)) {
             let degree = mesh.degrees[vertex as usize];
             if degree > 0 && !range.contains(&degree) {
                 mesh.out_of_range.push(vertex);
