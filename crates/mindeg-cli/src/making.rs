@@ -56,7 +56,7 @@ impl Making {
         let to_terminal = targets.use_standard_output() && io::stdout().is_terminal();
         clean_up_on_interrupt()?;
         let bar = Bar::new(quiet || to_terminal);
-        Ok(Self { targets, bar, degrees: None, quiet, json, recipe, is_shown: surface.open })
+        Ok(Self { targets, bar, degrees: None, quiet, json, recipe, is_shown: surface.show })
     }
 
     /// The plane of the mesh is a projection of degrees: formats in degrees get these.

@@ -273,7 +273,8 @@ fn found_match(at: InRing, wanted: &SideMatch, given: &[Ring]) -> Result<Found, 
     };
     let off = [(to, start), (from, end)].map(|(other, own)| moved(&matrix, other).distance(own));
     let off = off[0].max(off[1]);
-    if !(off <= FIT * extent) {
+    let fits = off <= FIT * extent;
+    if !fits {
         let hint = match wanted.by {
             Move::Translation => {
                 "; the sides must be of one length and run opposite ways, or give \"by\": \"rotation\""

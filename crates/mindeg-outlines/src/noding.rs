@@ -92,9 +92,9 @@ impl Outlines {
         let mut lines = Vec::with_capacity(self.inside.lines.len());
         for (line, (own, whole)) in self.inside.lines.drain(..).zip(next) {
             if own.len() == whole {
-                let is_new =
-                    own.iter().fold(false, |is_new, &ends| known.insert(key(ends)) || is_new);
-                lines.extend(is_new.then_some(line));
+                let before = known.len();
+                known.extend(own.iter().map(|&ends| key(ends)));
+                lines.extend((known.len() > before).then_some(line));
                 continue;
             }
             for (index, &ends) in

@@ -38,7 +38,7 @@ pub fn with_periodic_sides(
     let (rings, corners) = (domain.rings(), domain.placement().corners());
     let ends = |side: usize| [side, rings.next_side(side)].map(|corner| corners[corner]);
     let mut sides: Vec<Side> = domain.sides().to_vec();
-    for side in 0..sides.len() {
+    for (side, changed) in sides.iter_mut().enumerate() {
         let [start, end] = ends(side);
         let ring = rings.ring_sides(rings.in_ring(side).ring);
         let found = curves.iter().find_map(|curve| {
@@ -55,7 +55,7 @@ pub fn with_periodic_sides(
         let [to, from] = ends(other);
         let is_parallel = (end - start - (to - from)).length() <= SAME * (end - start).length();
         let by = if is_parallel { Move::Translation } else { Move::Rotation };
-        sides[side].matches = Some(SideMatch { of, by });
+        changed.matches = Some(SideMatch { of, by });
     }
     Ok(domain.with_sides(sides)?)
 }

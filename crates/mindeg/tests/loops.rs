@@ -35,8 +35,14 @@ fn assert_kept(old: &TriMesh, new: &TriMesh, group: &str) {
     assert_eq!(last.triangles.end as usize, new.triangles().len());
 }
 
+/// All loops, the rims of flat sheets too.
+fn every(loops: &Loops) -> FillOptions {
+    FillOptions { only: Some((0..loops.list().len()).collect()), ..FillOptions::default() }
+}
+
 fn filled(mesh: &TriMesh) -> Filled {
-    fill(mesh.clone(), &Loops::of(mesh), &FillOptions::default(), Progress::NONE).unwrap()
+    let loops = Loops::of(mesh);
+    fill(mesh.clone(), &loops, &every(&loops), Progress::NONE).unwrap()
 }
 
 /// A tube: rings of n vertices one above the other, of a radius for each ring and a height for
@@ -124,8 +130,8 @@ fn loops_that_touch_are_filled_so_that_their_vertex_is_sound() {
     assert_eq!(closed.filled.len(), 3);
     assert_sound(&closed.mesh, 0, 2);
 
-    let only = FillOptions { max_loop: 5, ..FillOptions::default() };
-    let closed = fill(open.clone(), &Loops::of(&open), &only, Progress::NONE).unwrap();
+    let only = FillOptions { max_loop: 5, ..every(&loops) };
+    let closed = fill(open.clone(), &loops, &only, Progress::NONE).unwrap();
     assert_eq!((closed.filled.len(), closed.left.len()), (2, 1));
     let reason = "it has 16 vertices, and only loops below 5 are filled";
     assert_eq!((closed.left[0].index, &*closed.left[0].reason), (0, reason));
@@ -530,7 +536,7 @@ proptest! {
         prop_assume!((0..6).any(|x| (0..5).any(|y| !holes.contains(&[x, y]))));
         let open = plate(6, 5, &holes);
         let before = Loops::of(&open);
-        let closed = fill(open.clone(), &Loops::of(&open), &FillOptions::default(), Progress::NONE).unwrap();
+        let closed = fill(open.clone(), &before, &every(&before), Progress::NONE).unwrap();
         prop_assert_eq!(closed.filled.len() + closed.left.len(), before.list().len());
         for left in &closed.left {
             prop_assert_eq!(&left.reason, EDGES_THERE);

@@ -221,12 +221,13 @@ fn plate(rows: u32, corners: u32) -> Domain {
     builder.build().unwrap()
 }
 
-/// A search for the mesh takes long, and windows alone do not meet it.
+/// Windows alone do not meet the mesh.
 #[test]
-fn descent_meets_meshes_that_windows_miss() {
+fn searches_meet_meshes_that_windows_miss() {
     let boundary = stars::star(150, 5, 5);
     let answer = degree_of_boundary(&boundary, mindeg_exact::MAX_TRIPLES, Progress::NONE).unwrap();
-    assert_eq!((answer.least_max_degree(), answer.reached_by), (Some(5), Reached::Descent));
+    assert_eq!(answer.least_max_degree(), Some(5));
+    assert!(matches!(answer.reached_by, Reached::Descent | Reached::Search), "{answer:?}");
 }
 
 #[test]

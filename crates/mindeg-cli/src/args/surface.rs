@@ -17,7 +17,7 @@ pub(crate) struct SurfaceArguments {
 
     /// Show the mesh in a browser when it is written
     #[arg(long)]
-    pub(crate) open: bool,
+    pub(crate) show: bool,
 
     /// The format where the extension does not tell it; mindeg formats lists the names
     #[arg(long, value_name = "FORMAT", value_parser = format_parser(Format::WRITTEN), hide_possible_values = true)]
