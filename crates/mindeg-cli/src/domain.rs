@@ -21,7 +21,7 @@ use std::path::Path;
 pub(crate) enum Subject {
     Domain(Box<Domain>),
     /// The polygons of a file, not in JSON.
-    Polygons(PolygonFile),
+    Polygons(Box<PolygonFile>),
     Model(Box<Model>),
     Mesh(Box<TriMesh>),
 }
@@ -32,9 +32,11 @@ impl Subject {
         &self,
         lengths: [(&str, Option<Length>); N],
     ) -> Result<(), Failure> {
-        let Self::Polygons(PolygonFile { file, is_in_degrees: true, .. }) = self else {
+        let Self::Polygons(polygons) = self else { return Ok(()) };
+        if !polygons.is_in_degrees {
             return Ok(());
-        };
+        }
+        let file = &polygons.file;
         let is_metric =
             |(_, length): &(&str, Option<Length>)| length.is_some_and(|it| it.is_metric);
         match lengths.into_iter().find(is_metric) {
@@ -221,7 +223,7 @@ pub(crate) fn opened(
         }
         Content::Polygons(polygons) => {
             polygons.notes.iter().for_each(|note| say(&format!("{name}: {note}")));
-            Subject::Polygons(*polygons)
+            Subject::Polygons(polygons)
         }
         Content::Mesh(mesh) => Subject::Mesh(mesh),
     })
