@@ -20,7 +20,7 @@ pub struct Remesh {
     pub keep_features: bool,
     /// Whether edges become up to three times as long where the surface is flat.
     pub curvature: bool,
-    /// Whether what is wrong with the part is mended first: see [`repaired`]. Holes with a rim below five sizes are filled.
+    /// Whether what is wrong with the part is mended first: see [`repaired`](crate::repair::repaired). Holes with a rim below five sizes are filled.
     pub repair: bool,
 }
 
