@@ -5,7 +5,7 @@ use std::fs;
 use std::path::PathBuf;
 
 /// The most words of prose in all pages: what a reader reads, without code and tables.
-const MOST_WORDS: usize = 20_500;
+const MOST_WORDS: usize = 21_300;
 
 /// The words of a page outside code blocks and tables.
 fn words(page: &str) -> usize {

@@ -47,8 +47,8 @@ pub(crate) struct DomainOptions {
     #[arg(long, value_name = "LAW", value_parser = spacing)]
     pub(crate) spacing: Option<Spacing>,
 
-    /// A side is another one moved, and the mesh is periodic there, such as right=left, or "side 2=side 4"; may be given
-    /// several times. Degrees are those of the joined mesh
+    /// A side is another one moved, such as right=left. Or "side 2=side 4"; may be given several times. The mesh is periodic
+    /// there, and its degrees are those of the joined mesh
     #[arg(long, value_name = "SIDE=SIDE", value_parser = matched)]
     pub(crate) periodic: Vec<(String, String)>,
 
@@ -80,8 +80,8 @@ pub(crate) struct OutlineOptions {
     #[arg(long, value_name = "PROPERTY", requires = "domain")]
     pub(crate) name_by: Option<String>,
 
-    /// How degrees of longitude and latitude become metres: auto, utm, laea, stereographic, EPSG:N, a definition of PROJ's
-    /// such as "+proj=utm +zone=35", or none for planar degrees. The domain remembers it, and formats in degrees get degrees
+    /// Make metres of longitudes and latitudes: auto, utm, EPSG:N or none. Also laea, stereographic, and a definition of PROJ's
+    /// such as "+proj=utm +zone=35"; none takes degrees as planar. The domain remembers it, and formats in degrees get degrees
     /// again; for a domain in JSON, none makes it forget
     #[arg(long, value_name = "PROJECTION", requires = "domain", allow_hyphen_values = true)]
     pub(crate) project: Option<ProjectionChoice>,

@@ -14,7 +14,6 @@ use std::path::PathBuf;
 const EXAMPLES: &str = "\
 Examples:
   mindeg verify wing-panel.obj assets/domains/wing-panel.json
-  mindeg verify wing.glb assets/domains/wing-panel.json --keep-angle 95%
   mindeg verify plate.stl --rectangle 4x3 --size 0.5 --optimal --json
   mindeg verify remeshed.stl --surface part.stl --tolerance 1%";
 
@@ -67,8 +66,8 @@ pub(crate) struct VerifyArguments {
     #[arg(long, value_name = "FILE")]
     pub(crate) proof: Option<PathBuf>,
 
-    /// Make the file anew from its recipe (mindeg mesh --recipe), and fail unless all bytes are the same. Its inputs lie
-    /// beside it or in the current folder
+    /// Fail unless the file's recipe makes the same bytes. The recipe is what mindeg mesh --recipe writes; its inputs lie
+    /// beside the file or in the current folder
     #[arg(long, conflicts_with_all = [
         "domain", "surface", "rectangle", "corners", "intervals", "size", "spacing", "keep_angle", "optimal", "proof", "tolerance"
     ])]
@@ -124,7 +123,7 @@ pub(crate) struct SurfaceRuleArguments {
     ])]
     pub(crate) surface: Option<PathBuf>,
 
-    /// Edges of the part that turn by more than this many degrees must have sharp edges of the mesh within the tolerance
+    /// Edges of the part that turn by more degrees are sharp. The mesh must have sharp edges within the tolerance of them
     #[arg(long, value_name = "ANGLE", value_parser = angle, requires = "surface", allow_hyphen_values = true)]
     pub(crate) feature_angle: Option<f64>,
 
