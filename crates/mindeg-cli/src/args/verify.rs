@@ -53,8 +53,8 @@ pub(crate) struct VerifyArguments {
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub(crate) tolerance: Option<Tolerance>,
 
-    /// Fail if the minimum angle is less than this share of the largest possible, such as 95% or 0.95:
-    /// Delaunay's, or with interior points the limit that the boundary sets
+    /// Fail if the minimum angle is less than this share of the largest possible, such as 95% or 0.95. The
+    /// largest is Delaunay's, or with interior points the limit that the boundary sets
     #[arg(long, value_name = "SHARE", value_parser = Goal::share, allow_hyphen_values = true)]
     pub(crate) keep_angle: Option<f64>,
 
@@ -66,7 +66,7 @@ pub(crate) struct VerifyArguments {
     #[arg(long, value_name = "FILE")]
     pub(crate) proof: Option<PathBuf>,
 
-    /// Fail unless the file's recipe makes the same bytes. The recipe is what mindeg mesh --recipe writes; its inputs lie
+    /// Fail unless the recipe makes the same bytes. The recipe is what mindeg mesh --recipe writes; its inputs lie
     /// beside the file or in the current folder
     #[arg(long, conflicts_with_all = [
         "domain", "surface", "rectangle", "corners", "intervals", "size", "spacing", "keep_angle", "optimal", "proof", "tolerance"
