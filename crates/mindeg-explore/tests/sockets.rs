@@ -401,9 +401,11 @@ fn every_format_is_downloaded_and_read_back() {
                 let answer = server.ask(&line, body.as_bytes());
                 assert_eq!(answer.status, 200, "{name}: {}", answer.head);
                 let extension = format["files"][file].as_str().unwrap();
-                let expected = format!("filename=\"plate.{extension}\"");
+                // The goal is in the name, so that files of two goals do not meet.
+                let path = format!("plate-keep-angle-95.{extension}");
+                let expected = format!("filename=\"{path}\"");
                 assert!(answer.head.contains(&expected), "{}", answer.head);
-                (format!("plate.{extension}"), answer.body)
+                (path, answer.body)
             })
             .collect();
         let path = std::path::Path::new(&files[0].0);

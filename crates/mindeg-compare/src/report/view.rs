@@ -328,7 +328,7 @@ mod tests {
         // Seen along z it is a right isosceles triangle; in space it is equilateral.
         let tilted = mesh(&[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], &[[0, 1, 2]]);
         let page = page(&tilted);
-        assert!(page.contains("minimum angle 60°"), "{page}");
+        assert!(page.contains("minimum angle 60.000°"), "{page}");
         let positions = data(&page)["positions"].as_str().map(str::len);
         // Nine numbers of four bytes.
         assert_eq!(positions, Some(48));
