@@ -21,7 +21,7 @@ use glam::DVec2;
 use self::azimuthal::Azimuthal;
 use self::ellipsoid::Ellipsoid;
 pub use self::region::GlobeRegion;
-use self::region::GlobeRegion as Region;
+use self::region::{GlobeRegion as Region, wrapped};
 use self::transverse_mercator::TransverseMercator;
 
 /// A projection between degrees of longitude and latitude and metres of a plane.
@@ -195,11 +195,6 @@ fn middle_of(zone: u8) -> f64 {
 
 fn utm_origin(is_south: bool) -> DVec2 {
     DVec2::new(500_000.0, if is_south { 10_000_000.0 } else { 0.0 })
-}
-
-/// Degrees from -180 to 180.
-fn wrapped(degrees: f64) -> f64 {
-    if degrees.abs() <= 180.0 { degrees } else { degrees - 360.0 * libm::round(degrees / 360.0) }
 }
 
 impl fmt::Display for Projection {

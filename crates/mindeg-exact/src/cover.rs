@@ -10,6 +10,7 @@
 //! Work is counted and not timed, so the answer is the same on every machine.
 
 mod angles;
+mod candidates;
 mod decision;
 mod rows;
 mod search;
@@ -19,8 +20,9 @@ use crate::measure::min_angle_tangent;
 use crate::problem::{Domain, Problem};
 use crate::progress::Stage;
 use crate::visibility;
+use candidates::Candidates;
 use mindeg_mesh::{Cancelled, Progress};
-use rows::{Candidates, Rows};
+use rows::Rows;
 pub(crate) use search::{Expected, Search};
 
 pub use decision::{Decision, Element, Literal, Refutation, SearchedAngle};

@@ -2,8 +2,6 @@
 
 use glam::DVec2;
 
-use super::wrapped;
-
 /// The farthest that a region may reach from the centre of an azimuthal projection, in degrees.
 const AZIMUTHAL_REACH: f64 = 90.0;
 
@@ -92,4 +90,9 @@ fn direction(degrees: DVec2) -> [f64; 3] {
     let [longitude, latitude] = [degrees.x.to_radians(), degrees.y.to_radians()];
     let radius = libm::cos(latitude);
     [radius * libm::cos(longitude), radius * libm::sin(longitude), libm::sin(latitude)]
+}
+
+/// Degrees from -180 to 180.
+pub(super) fn wrapped(degrees: f64) -> f64 {
+    if degrees.abs() <= 180.0 { degrees } else { degrees - 360.0 * libm::round(degrees / 360.0) }
 }

@@ -13,6 +13,9 @@ use crate::measure::min_angle_tangent;
 use glam::DVec2;
 use std::collections::BTreeMap;
 
+/// About the most chords that are kept for others that they cross, in all: 64 MB.
+const MOST_CROSSING: usize = 1 << 24;
+
 /// A face as the checker takes it.
 #[derive(Clone, Copy, Debug)]
 pub struct CheckedFace<'a> {
@@ -116,7 +119,7 @@ impl<'a> Table<'a> {
             chords: Vec::new(),
             chord_of: Vec::new(),
             crossing: Vec::new(),
-            space: crossing::MOST,
+            space: MOST_CROSSING,
             rows: Vec::new(),
             clauses: Vec::new(),
             watched_by: Vec::new(),

@@ -2,9 +2,6 @@
 
 use super::{Code, Table};
 
-/// About the most chords that are kept for others that they cross, in all: 64 MB.
-pub(super) const MOST: usize = 1 << 24;
-
 impl Table<'_> {
     /// Excludes the chords that cross one that holds; whether none of them does.
     pub(super) fn exclude_crossing(&mut self, code: Code) -> bool {

@@ -1,46 +1,17 @@
 //! Chords that cross exclude each other. The rows say so, too, but only once all triangles beside them are excluded.
 
-use super::{Reason, Search};
-
 /// The most chords in all lists: 32 MB.
 const MOST: usize = 1 << 23;
 
 /// For each chord that was used those that cross it, as far as there is space.
 pub(super) struct Crossing {
-    lists: Vec<Option<Vec<u32>>>,
-    left: usize,
+    pub(super) lists: Vec<Option<Vec<u32>>>,
+    pub(super) left: usize,
 }
 
 impl Crossing {
     pub(super) fn new(chords: u32) -> Self {
         Self { lists: vec![None; chords as usize], left: MOST }
-    }
-}
-
-impl Search<'_> {
-    /// Excludes the chords that cross one; the conflict if one of them is used.
-    pub(super) fn exclude_crossing(&mut self, chord: u32) -> Option<Reason> {
-        let known = self.crossing.lists[chord as usize].take();
-        let all = known.unwrap_or_else(|| {
-            self.steps += u64::from(self.rows.chords) / 4;
-            let found = if self.crossing.left > 0 { self.rows.crossing(chord) } else { Vec::new() };
-            self.crossing.left = self.crossing.left.saturating_sub(found.len());
-            found
-        });
-        self.steps += all.len() as u64 / 2;
-        let mut broken = None;
-        for &other in &all {
-            match self.value(2 * other) {
-                0 => self.set(2 * other + 1, Reason::Crossing([chord, other])),
-                1 => {
-                    broken = Some(Reason::Crossing([chord, other]));
-                    break;
-                }
-                _ => {}
-            }
-        }
-        self.crossing.lists[chord as usize] = Some(all);
-        broken
     }
 }
 

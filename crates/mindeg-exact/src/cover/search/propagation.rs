@@ -108,4 +108,29 @@ impl Search<'_> {
         self.watches[code as usize] = watching;
         broken
     }
+
+    /// Excludes the chords that cross one; the conflict if one of them is used.
+    pub(super) fn exclude_crossing(&mut self, chord: u32) -> Option<Reason> {
+        let known = self.crossing.lists[chord as usize].take();
+        let all = known.unwrap_or_else(|| {
+            self.steps += u64::from(self.rows.chords) / 4;
+            let found = if self.crossing.left > 0 { self.rows.crossing(chord) } else { Vec::new() };
+            self.crossing.left = self.crossing.left.saturating_sub(found.len());
+            found
+        });
+        self.steps += all.len() as u64 / 2;
+        let mut broken = None;
+        for &other in &all {
+            match self.value(2 * other) {
+                0 => self.set(2 * other + 1, Reason::Crossing([chord, other])),
+                1 => {
+                    broken = Some(Reason::Crossing([chord, other]));
+                    break;
+                }
+                _ => {}
+            }
+        }
+        self.crossing.lists[chord as usize] = Some(all);
+        broken
+    }
 }
