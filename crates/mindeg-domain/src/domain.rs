@@ -356,7 +356,7 @@ mod tests {
             ),
             (
                 polygon(&CORNERS, with(0, Side::size(1e-300))),
-                "side 1: the size 1e-300 makes 4.0e300 intervals, and a boundary has at most 4294967294 vertices; give a larger size",
+                "side 1: the size 1e-300 makes 4e300 intervals, and a boundary has at most 4294967294 vertices; give a larger size",
             ),
             (
                 polygon(&CORNERS, with(1, Side::count(2).spaced(Spacing::Bump { ratio: 0.0 }))),
@@ -379,14 +379,14 @@ mod tests {
                     &[[0.0, 1.0], [1.0, 1.0], [1.0, 1.000_000_002]],
                     vec![Side::count(2_000_000), Side::count(1), Side::count(1)],
                 ),
-                "corner 1: the points next to it are 1.0e-15 from the other side, too close to be told apart at the size of the coordinates; make the intervals there longer or the angle larger, or move the domain towards the origin",
+                "corner 1: the points next to it are 1e-15 from the other side, too close to be told apart at the size of the coordinates; make the intervals there longer or the angle larger, or move the domain towards the origin",
             ),
             (
                 polygon(
                     &[[1.0, 1.0], [0.0, 1.0], [1.0, 1.000_000_002]],
                     vec![Side::count(2_000_000), Side::count(1), Side::count(1)],
                 ),
-                "corner 2: the points next to it are 1.0e-15 from the other side, too close to be told apart at the size of the coordinates; make the intervals there longer or the angle larger, or move the domain towards the origin",
+                "corner 2: the points next to it are 1e-15 from the other side, too close to be told apart at the size of the coordinates; make the intervals there longer or the angle larger, or move the domain towards the origin",
             ),
         ] {
             assert_eq!(outcome.unwrap_err().to_string(), message);

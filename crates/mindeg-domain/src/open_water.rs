@@ -307,8 +307,8 @@ mod tests {
         )
         .unwrap();
         let found = domain.with_open_water(&[OpenWater::Side("strait".to_owned())], 0.0).unwrap();
-        assert_eq!(sides(&found)[1], told("strait", open, 2));
-        assert_eq!(sides(&found)[2], told("land", land, 2));
+        assert!(sides(&found).contains(&told("strait", open, 2)), "{:?}", sides(&found));
+        assert_eq!(sides(&found).iter().filter(|side| side.1 == open).count(), 1);
     }
 
     #[test]

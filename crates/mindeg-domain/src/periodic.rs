@@ -6,8 +6,8 @@
 use std::ops::Range;
 
 use glam::DVec2;
-use mindeg_mesh::Bounds;
 use mindeg_mesh::planar::{InRing, ring_name};
+use mindeg_mesh::{Bounds, significant};
 
 use crate::curve::Curve;
 use crate::error::{DomainError, Place};
@@ -284,7 +284,8 @@ fn found_match(at: InRing, wanted: &SideMatch, given: &[Ring]) -> Result<Found, 
         return error(
             "by",
             format!(
-                "the corners of {name:?}, moved, are {off:.3e} away from those of this side{hint}"
+                "the corners of {name:?}, moved, are {} away from those of this side{hint}",
+                significant(off, 4)
             ),
         );
     }
@@ -383,7 +384,7 @@ mod tests {
                 "no side of the outline is called \"lift\"",
             ),
             (r#"{"match": {"of": "left", "by": "rotation"}}"#, "sides[1].match.by", "not parallel"),
-            (r#"{"match": {"of": "bottom"}}"#, "sides[1].match.by", "give \"by\": \"rotation\""),
+            (r#"{"match": {"of": "bottom"}}"#, "sides[1].match", "give \"by\": \"rotation\""),
             (r#"{"match": {"of": "side 2"}}"#, "sides[1].match.of", "is the side itself"),
             (r#"{"match": {"of": "left"}, "intervals": 3}"#, "sides[1]", "drop \"intervals\""),
         ] {
@@ -393,15 +394,15 @@ mod tests {
     }
 
     #[test]
-    fn parts_of_a_side_are_one() {
+    fn lines_end_at_points_of_periodic_sides_alone() {
         let domain = Domain::from_json(
             r#"{"rectangle": {"width": 4, "height": 3}, "size": 1,
                 "sides": [{}, {"match": {"of": "left"}}, {}, {"name": "left"}],
-                "lines": [{"corners": [[0, 1.2], [4, 1.2]], "intervals": 4}]}"#,
+                "lines": [{"corners": [[0, 1], [4, 1]], "intervals": 4}]}"#,
         )
         .unwrap();
         let side = &domain.periodic().unwrap().sides()[0];
-        assert_eq!((side.of.len(), side.vertices.len()), (2, 4));
+        assert_eq!((side.of.len(), side.vertices.len()), (1, 4));
         let open = Domain::from_json(
             r#"{"rectangle": {"width": 4, "height": 3}, "size": 1,
                 "sides": [{}, {"match": {"of": "left"}}, {}, {"name": "left"}],

@@ -453,7 +453,7 @@ mod tests {
         assert!(place(&far(1e5), &dense, 4).is_ok());
         let refused = place(&far(1e7), &dense, 4).unwrap_err();
         assert_eq!(refused.place.to_string(), "sides[0].spacing");
-        assert!(refused.message.contains("is 1.0e-9 long"), "{refused}");
+        assert!(refused.message.contains("is 1e-9 long"), "{refused}");
 
         let needle = |width: f64| [[0.0, 0.0], [1.0, 0.0], [1.0, width]];
         assert!(place(&needle(1e-9), &Spacing::Uniform, 10).is_ok());

@@ -152,7 +152,7 @@ mod tests {
         assert_eq!(message(0.0), "the size is 0.0; it must be a finite number above 0");
         assert_eq!(
             message(1e-300),
-            "the size 1e-300 makes 4.0e300 intervals, and a boundary has at most 4294967294 vertices; give a larger size"
+            "the size 1e-300 makes 4e300 intervals, and a boundary has at most 4294967294 vertices; give a larger size"
         );
     }
 }

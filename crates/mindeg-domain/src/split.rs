@@ -164,8 +164,8 @@ pub(crate) fn apply(
         let DVec2 { x, y } = at;
         return Err(Place::key("match").error(format!(
             "{line} ends within the side at ({x:?}, {y:?}), and the side has the points of {:?}; end the line at one of \
-             them, or begin another where {:?} has that point",
-            matches.of, matches.of
+             them",
+            matches.of
         )));
     }
     let share = match (cut, &mut side.curve) {
