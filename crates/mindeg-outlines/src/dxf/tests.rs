@@ -274,8 +274,8 @@ fn lines_inside_that_cross_are_noded_by_a_repair() {
     assert!(error.is_touch, "{error}");
     let repaired = drawn.repaired_together(None, None).unwrap();
     let said = repaired.notes.last().cloned().unwrap_or_default();
-    // Both lines at their crossing, the border and the line there, and the outline.
-    assert_eq!(said, "added 5 points where lines inside meet others or a ring");
+    // Both lines at their crossing, the border of both regions and the line there, and the outline.
+    assert_eq!(said, "added 6 points where lines inside meet others or a ring");
     let (found, _) = mapped(repaired).unwrap();
     let [map] = &found[..] else { panic!("{found:?}") };
     let first = map.rings().vertex_count();
