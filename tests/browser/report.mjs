@@ -39,7 +39,11 @@ async function open(name, options = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
   const opened = await context.newPage();
   const address = pathToFileURL(page(name)).href;
-  opened.on("console", (message) => noise.push(`${name}: ${message.type()}: ${message.text()}`));
+  // A driver without a processor for pictures tells how slow it is; that is not the page's.
+  const isDriver = (text) => text.includes("GL Driver Message (OpenGL, Performance");
+  opened.on("console", (message) => {
+    if (!isDriver(message.text())) noise.push(`${name}: ${message.type()}: ${message.text()}`);
+  });
   opened.on("pageerror", (error) => noise.push(`${name}: ${error.message}`));
   opened.on("request", (request) => {
     if (request.url() !== address && !request.url().startsWith("data:")) {
