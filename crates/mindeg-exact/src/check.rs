@@ -197,10 +197,23 @@ impl CheckedOutline<'_> {
 
     /// Whether a triangulation may have this chord. O(n).
     #[must_use]
-    pub fn is_admissible(&self, [a, b]: [u32; 2]) -> bool {
+    pub fn is_admissible(&self, chord: [u32; 2]) -> bool {
+        self.may_join(chord) && !self.edges().any(|edge| self.is_in_the_way(edge, chord))
+    }
+
+    /// Whether no straight side has both ends of a chord, and the chord begins inside.
+    fn may_join(&self, [a, b]: [u32; 2]) -> bool {
         let sides = |v: u32| [self.side_of[self.previous(v) as usize], self.side_of[v as usize]];
         let is_on_one_side = sides(a).iter().any(|side| sides(b).contains(side));
-        !is_on_one_side && self.starts_inside(a, b) && self.is_free([a, b])
+        !is_on_one_side && self.starts_inside(a, b)
+    }
+
+    /// The boundary edges.
+    fn edges(&self) -> impl Iterator<Item = [u32; 2]> {
+        self.rings.iter().flat_map(|ring| {
+            let next = move |v: u32| if v + 1 == ring.end { ring.start } else { v + 1 };
+            ring.clone().map(move |v| [v, next(v)])
+        })
     }
 
     /// Whether the segment from a to b begins within the interior angle at a.
@@ -215,32 +228,27 @@ impl CheckedOutline<'_> {
         }
     }
 
-    /// Whether the open segment from a to b meets no boundary edge.
-    fn is_free(&self, [a, b]: [u32; 2]) -> bool {
-        let [p, q] = [a, b].map(|vertex| self.points[vertex as usize]);
-        let (low, high) = (p.min(q), p.max(q));
-        self.rings.iter().flat_map(Range::clone).all(|c| {
-            let d = self.next(c);
-            let [r, s] = [c, d].map(|vertex| self.points[vertex as usize]);
-            if self.keeps_clear && c != a && c != b && is_passed(r, [p, q]) {
-                return false;
-            }
-            // Most edges are elsewhere.
-            if r.max(s).cmplt(low).any() || r.min(s).cmpgt(high).any() {
-                return true;
-            }
-            let (at_c, at_d) = (self.turn(a, b, c), self.turn(a, b, d));
-            let is_between = |vertex: u32| {
-                let point = self.points[vertex as usize];
-                vertex != a && vertex != b && (point - p).dot(point - q) < 0.0
-            };
-            if (at_c == 0.0 && is_between(c)) || (at_d == 0.0 && is_between(d)) {
-                return false;
-            }
-            let (at_a, at_b) = (self.turn(c, d, a), self.turn(c, d, b));
-            let are_opposite = |x: f64, y: f64| (x > 0.0 && y < 0.0) || (x < 0.0 && y > 0.0);
-            !(are_opposite(at_c, at_d) && are_opposite(at_a, at_b))
-        })
+    /// Whether the open segment from a to b meets a boundary edge, or passes its first end.
+    fn is_in_the_way(&self, [c, d]: [u32; 2], [a, b]: [u32; 2]) -> bool {
+        let [p, q, r, s] = [a, b, c, d].map(|vertex| self.points[vertex as usize]);
+        // Most edges are elsewhere. What a chord passes is within less than a thousandth of its length.
+        let near = 0.01 * (p - q).abs().max_element();
+        if (r.max(s) + near).cmplt(p.min(q)).any() || (r.min(s) - near).cmpgt(p.max(q)).any() {
+            return false;
+        }
+        if self.keeps_clear && c != a && c != b && is_passed(r, [p, q]) {
+            return true;
+        }
+        let (at_c, at_d) = (self.turn(a, b, c), self.turn(a, b, d));
+        let is_between = |vertex: u32| {
+            let point = self.points[vertex as usize];
+            vertex != a && vertex != b && (point - p).dot(point - q) < 0.0
+        };
+        if (at_c == 0.0 && is_between(c)) || (at_d == 0.0 && is_between(d)) {
+            return true;
+        }
+        let are_opposite = |x: f64, y: f64| (x > 0.0 && y < 0.0) || (x < 0.0 && y > 0.0);
+        are_opposite(at_c, at_d) && are_opposite(self.turn(c, d, a), self.turn(c, d, b))
     }
 
     fn turn(&self, a: u32, b: u32, c: u32) -> f64 {

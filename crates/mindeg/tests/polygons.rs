@@ -10,6 +10,9 @@ use mindeg::exact::{self, DegreeBound, LowerBound, Reached, degree_of_boundary};
 use mindeg::glam::DVec2;
 use mindeg::verify::{self, Proof};
 use mindeg::{BoundaryMesh, Domain, FoundBy, Goal, Outline as Shape, Progress, Ring, Side, mesh};
+use mindeg_exact::Refutation;
+use mindeg_exact::check::CheckedOutline;
+use mindeg_exact::check::refutation::{CheckedFace, refutes};
 use mindeg_mesh::check;
 use outlines::{Measured, Outline, Random};
 use std::collections::BTreeSet;
@@ -594,5 +597,43 @@ fn limits_that_no_mesh_with_holes_keeps_are_refused_with_the_proof() {
             assert!(words.iter().all(|words| message.contains(words)), "{message}");
         }
         assert!(mesh(&domain, Goal::MaxDegree(limit + 1), Progress::NONE).is_ok());
+    }
+}
+
+/// A thousand clauses hold as they are; against a limit that a mesh keeps, none of them with a change does.
+#[test]
+fn long_proofs_hold_and_with_changes_do_not() {
+    let boundary = stars::star(100, 1, 1);
+    let answer = degree_of_boundary(&boundary, mindeg_exact::MAX_TRIPLES, Progress::NONE).unwrap();
+    let least = answer.least_max_degree().unwrap();
+    let DegreeBound::Polygon(LowerBound::Refuted(proof)) = answer.bounded_by else {
+        panic!("{:?}", answer.bounded_by)
+    };
+    assert!(proof.clauses.len() > 500);
+    let rings: Vec<_> = boundary.rings().collect();
+    let (points, side_of) = (boundary.points(), boundary.runs());
+    let outline = CheckedOutline { points, rings: &rings, side_of, keeps_clear: true };
+    let vertices: Vec<u32> = (0..points.len() as u32).collect();
+    let face = CheckedFace { outline, vertices: &vertices, least_tangent: 0.0 };
+    let holds = |degree: u32, proof: &Refutation| {
+        refutes(&[face], &vec![degree - 2; vertices.len()], proof)
+    };
+    assert!(holds(least - 1, &proof));
+    assert!(!holds(least, &proof));
+    // Half of it is no proof, and the empty clause alone is none.
+    let half = proof.clauses.iter().step_by(2).cloned().chain([Vec::new()]);
+    assert!(!holds(least - 1, &Refutation { clauses: half.collect() }));
+    assert!(!holds(least - 1, &Refutation { clauses: vec![Vec::new()] }));
+    let mut random = Random(7);
+    for _ in 0..30 {
+        let mut changed = proof.clone();
+        let clause = random.below(changed.clauses.len() as u64 - 1) as usize;
+        match random.below(4) {
+            0 => changed.clauses[clause].clear(),
+            1 => changed.clauses[clause].truncate(1),
+            2 => changed.clauses.swap(clause, 0),
+            _ => changed.clauses[clause].iter_mut().for_each(|literal| literal.is_used ^= true),
+        }
+        assert!(!holds(least, &changed));
     }
 }

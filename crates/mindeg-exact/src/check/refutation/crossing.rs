@@ -1,20 +1,20 @@
 //! Of two chords that cross, a triangulation has one at most.
 
-use super::{Code, Table};
+use super::table::{Code, Table};
 
 impl Table<'_> {
     /// Excludes the chords that cross one that holds; whether none of them does.
     pub(super) fn exclude_crossing(&mut self, code: Code) -> bool {
-        let Some(own) = self.chord_of[code] else { return true };
-        let crossing = match self.crossing[own].take() {
-            Some(known) => known,
-            None => {
-                let found = self.find_crossing(own);
-                self.space = self.space.saturating_sub(found.len());
-                found
-            }
-        };
-        let is_kept = crossing.iter().all(|&other| self.set(other as usize ^ 1));
+        let own = code as usize / 2;
+        if code % 2 == 1 || own >= self.crossing.len() {
+            return true;
+        }
+        let crossing = self.crossing[own].take().unwrap_or_else(|| {
+            let found = self.find_crossing(code / 2);
+            self.space = self.space.saturating_sub(found.len());
+            found
+        });
+        let is_kept = crossing.iter().all(|&other| self.set(other ^ 1));
         if self.space > 0 {
             self.crossing[own] = Some(crossing);
         }
@@ -22,23 +22,27 @@ impl Table<'_> {
     }
 
     /// The chords that cross one: each has its ends on both sides of the other.
-    fn find_crossing(&self, own: usize) -> Vec<u32> {
-        let (face, [a, b], _) = self.chords[own];
-        let outline = &self.faces[face as usize].outline;
-        let parts = |from: u32, to: u32, ends: [u32; 2]| {
-            let [one, other] = ends.map(|end| outline.turn(from, to, end));
-            (one > 0.0 && other < 0.0) || (one < 0.0 && other > 0.0)
+    pub(super) fn find_crossing(&self, own: u32) -> Vec<Code> {
+        let face = self.chords.partition_point(|chords| chords.end <= own);
+        let (outline, chords) = (&self.faces[face].outline, &self.candidates[face].chords);
+        let first = self.chords[face].start;
+        let [a, b] = chords[(own - first) as usize];
+        let sign = |turn: f64| i8::from(turn > 0.0) - i8::from(turn < 0.0);
+        let side_of = |vertex: u32| sign(outline.turn(a, b, vertex));
+        let sides: Vec<i8> = (0..outline.points.len() as u32).map(side_of).collect();
+        let crosses = |&[c, d]: &[u32; 2]| {
+            let parts = sides[c as usize] * sides[d as usize] < 0;
+            parts && sign(outline.turn(c, d, a)) * sign(outline.turn(c, d, b)) < 0
         };
-        let crosses = |&&(other, [c, d], _): &&(u32, [u32; 2], Code)| {
-            other == face && parts(a, b, [c, d]) && parts(c, d, [a, b])
-        };
-        self.chords.iter().filter(crosses).map(|&(.., code)| code as u32).collect()
+        (first..).zip(chords).filter(|(_, chord)| crosses(chord)).map(|(it, _)| 2 * it).collect()
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::{CheckedFace, CheckedOutline, Table};
+    use super::super::candidates::CheckedFace;
+    use super::*;
+    use crate::check::CheckedOutline;
     use glam::DVec2;
 
     #[test]
@@ -54,14 +58,15 @@ mod tests {
             keeps_clear: true,
         };
         let faces = [CheckedFace { outline, vertices: &vertices, least_tangent: 0.0 }];
-        let mut table = Table::of(&faces);
-        table.add_face(0, &faces[0], &mut vec![Vec::new(); 7]);
-        for own in 0..table.chords.len() {
-            let (_, [a, b], code) = table.chords[own];
-            assert!(table.exclude_crossing(code));
-            for &(_, [c, d], other) in &table.chords {
+        let mut table = Table::new(&faces, &[7; 7]);
+        let chords = table.candidates[0].chords.clone();
+        assert_eq!(chords.len(), 14);
+        for (own, &[a, b]) in (0..).zip(&chords) {
+            table.supposed.push((2 * own, 0));
+            assert!(table.exclude_crossing(2 * own));
+            for (other, &[c, d]) in chords.iter().enumerate() {
                 let alternate = (a < c && c < b && b < d) || (c < a && a < d && d < b);
-                assert_eq!(table.holds[other + 1], alternate, "{a}-{b}, {c}-{d}");
+                assert_eq!(table.holds[2 * other + 1], alternate, "{a}-{b}, {c}-{d}");
             }
             table.back_to(0);
         }
