@@ -58,13 +58,47 @@ fn bad_demands_are_refused_with_what_to_do() {
         (["--limit", "50"], &["--limit", "40"][..]),
         (["--within", "-1"], &["--within", "above 0"]),
         (["--growth", "0.1"], &["--growth", "0.35"]),
-        (["--keep", "nix"], &["--keep", "nix", "flange, free-edge, web"]),
+        (["--keep", "nix"], &["\"nix\" to keep", "flange, free-edge, web"]),
     ] {
         let folder = tempfile::tempdir().expect("a folder");
         let out = folder.path().join("x.json").display().to_string();
         mindeg([&["condition", &gusset, "-o", &out], &more[..]].concat()).refuses(words);
         assert!(content(folder.path()).is_empty());
     }
-    let map = domain("../outlines/two-materials.geojson");
-    mindeg(["condition", &map]).refuses(&["lines, points or regions"]);
+}
+
+/// Two squares; their border has a step of a hundredth.
+const SQUARES: &[u8] = br#"{"type": "FeatureCollection", "features": [
+  {"type": "Feature", "properties": {"name": "A"}, "geometry": {"type": "Polygon",
+    "coordinates": [[[0, 0], [4, 0], [4, 4], [4.01, 4], [4, 8], [0, 8], [0, 0]]]}},
+  {"type": "Feature", "properties": {"name": "B"}, "geometry": {"type": "Polygon",
+    "coordinates": [[[4, 0], [8, 0], [8, 8], [4, 8], [4.01, 4], [4, 4], [4, 0]]]}}]}"#;
+
+#[test]
+fn a_border_of_a_map_is_changed_once_for_both_regions() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let (new, changes) = (path("map.json"), path("changes.geojson"));
+    let options = ["--within", "0.02", "-o", &new, "--changes", &changes, "--json"];
+    let found = mindeg_reading([&["condition", "-"], &options[..]].concat(), SQUARES).json();
+    assert_eq!((&found["dropped"], &found["is_reached"]), (&json!(1), &json!(true)));
+    let read = |path: &str| -> serde_json::Value {
+        serde_json::from_slice(&std::fs::read(path).expect("a file")).expect("JSON")
+    };
+    let map = read(&new);
+    assert_eq!(map["lines"].as_array().map(Vec::len), Some(1));
+    assert_eq!(map["lines"][0]["sides"][0]["name"], "A | B");
+    let names: Vec<_> = (0..2).map(|region| &map["regions"][region]["name"]).collect();
+    assert_eq!(names, ["A", "B"]);
+    let features = read(&changes)["features"].clone();
+    let kinds: Vec<_> =
+        features.as_array().expect("features").iter().map(|it| &it["geometry"]["type"]).collect();
+    assert_eq!(kinds, ["Polygon", "LineString", "Polygon", "LineString", "Point"]);
+    let mesh = path("mesh.msh");
+    let meshed = mindeg(["mesh", &new, "--interior", "--json", "-o", &mesh]).json();
+    assert!(meshed["min_angle"].as_f64().expect("an angle") > 24.0);
+    // A border that is kept keeps its step.
+    let kept = ["condition", "-", "--within", "0.02", "--keep", "A | B", "--json"];
+    let kept = mindeg_reading(kept, SQUARES).json();
+    assert_eq!((&kept["dropped"], &kept["is_reached"]), (&json!(0), &json!(false)));
 }

@@ -27,9 +27,9 @@ use std::fmt::Write as _;
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[schemars(description = "The changes of a boundary.")]
 pub struct ConditionAnswer {
-    /// Boundary points before.
+    /// Points of the boundary and of lines inside before.
     pub points_before: u32,
-    /// Boundary points after.
+    /// The same after.
     pub points: u32,
     /// Points that were dropped.
     pub dropped: usize,
@@ -97,6 +97,9 @@ impl ConditionAnswer {
         let left = |left: &mindeg::interior::Left| {
             let reason = match left.reason {
                 Reason::Sharp => "the corner is sharper: allow a larger distance",
+                Reason::Meeting => {
+                    "lines meet there so sharply, or so many, and their place stays: move them in the file"
+                }
                 Reason::Kept => "its points are to stay: keep fewer",
                 Reason::Short => "its edges would get too short: allow a larger distance",
             };
@@ -104,8 +107,8 @@ impl ConditionAnswer {
             LeftRow { at, degrees: degrees(left.at), angle_limit: left.limit, reason }
         };
         Self {
-            points_before: before.rings().vertex_count(),
-            points: after.rings().vertex_count(),
+            points_before: points(before),
+            points: points(after),
             dropped: count(ChangeKind::Dropped),
             inserted: count(ChangeKind::Inserted),
             cut: count(ChangeKind::Cut),
@@ -172,7 +175,7 @@ impl ConditionAnswer {
 
 impl ConditionAnswer {
     /// Both boundaries, all changes and the places that are left as GeoJSON, to draw them on a map: polygons with the
-    /// property `boundary`, which is `before` or `after`, and points with the properties of their rows. In degrees if the domain
+    /// property `boundary`, which is `before` or `after`, lines inside in the same way, and points with the properties of their rows. In degrees if the domain
     /// was projected.
     #[must_use]
     pub fn drawn(&self, before: &Domain, after: &Domain) -> Value {
@@ -185,6 +188,18 @@ impl ConditionAnswer {
             });
             let geometry = json!({"type": "Polygon", "coordinates": rings.collect::<Vec<_>>()});
             json!({"type": "Feature", "properties": {"boundary": boundary}, "geometry": geometry})
+        };
+        let lines = |boundary: &str, domain: &Domain| -> Vec<Value> {
+            let Ok(all) = domain.boundary() else { return Vec::new() };
+            let line = |line| {
+                let segments = all.line(line);
+                let ends = segments.iter().map(|ends| ends[0]);
+                let ends = ends.chain(segments.last().map(|ends| ends[1]));
+                let points: Vec<_> = ends.map(|vertex| place(domain, all.point(vertex))).collect();
+                let geometry = json!({"type": "LineString", "coordinates": points});
+                json!({"type": "Feature", "properties": {"boundary": boundary}, "geometry": geometry})
+            };
+            (0..all.line_count()).map(line).collect()
         };
         let point = |at: [f64; 2], properties: Value| {
             let geometry = json!({"type": "Point", "coordinates": at});
@@ -199,10 +214,17 @@ impl ConditionAnswer {
                 json!({"kind": "left", "angle_limit": row.angle_limit, "reason": row.reason});
             point(row.degrees.unwrap_or(row.at), properties)
         });
-        let boundaries = [polygon("before", before), polygon("after", after)];
-        let features: Vec<Value> = boundaries.into_iter().chain(changes).chain(left).collect();
+        let boundaries = [("before", before), ("after", after)]
+            .map(|(name, domain)| [vec![polygon(name, domain)], lines(name, domain)].concat());
+        let boundaries = boundaries.into_iter().flatten();
+        let features: Vec<Value> = boundaries.chain(changes).chain(left).collect();
         json!({"type": "FeatureCollection", "features": features})
     }
+}
+
+/// The points of rings and lines, and those inside.
+fn points(domain: &Domain) -> u32 {
+    domain.rings().vertex_count() + domain.inner_points().len() as u32
 }
 
 /// Degrees of longitude and latitude, to nine decimals, of a point of a projected domain.

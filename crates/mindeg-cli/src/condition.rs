@@ -6,10 +6,8 @@ use crate::domain::{describe, name, opened};
 use crate::failure::Failure;
 use crate::interrupt::clean_up_on_interrupt;
 use crate::standard_output::{print, print_json};
-use mindeg::Domain;
 use mindeg::interior::{BoundaryDemands, condition};
 use mindeg_answers::condition::ConditionAnswer;
-use mindeg_answers::names::shown;
 use mindeg_files::{Wanted, is_standard_output};
 
 /// The growth of lengths where a length is given: at this one the search reaches the limits nearly everywhere.
@@ -31,7 +29,6 @@ pub(crate) fn run(arguments: &ConditionArguments) -> Result<(), Failure> {
         ("--least-island", least_island),
     ])?;
     let domain = arguments.kinds.told(subject.only()?)?;
-    let kept = kept(&domain, &arguments.keep)?;
     let demands = BoundaryDemands {
         angle: arguments.limit,
         within: within
@@ -41,7 +38,8 @@ pub(crate) fn run(arguments: &ConditionArguments) -> Result<(), Failure> {
         growth: arguments.growth.unwrap_or(arguments.size.map_or(0.0, |_| GROWTH)),
         least_hole: least_island.map_or(0.0, |least| least.value),
     };
-    let found = bar.waiting("conditioning the boundary", || condition(&domain, &demands, &kept));
+    let found =
+        bar.waiting("conditioning the boundary", || condition(&domain, &demands, &arguments.keep));
     let (new, conditioned) = found.map_err(Failure::input)?;
     drop(bar);
     let answer = ConditionAnswer::of(&domain, &new, &conditioned);
@@ -54,26 +52,4 @@ pub(crate) fn run(arguments: &ConditionArguments) -> Result<(), Failure> {
         return Ok(());
     }
     if arguments.json { print_json(&answer) } else { print(&answer.text(&name(&domain))) }
-}
-
-/// The indices of sides by their names.
-fn kept(domain: &Domain, names: &[String]) -> Result<Vec<usize>, Failure> {
-    let sides = 0..domain.sides().len();
-    let mut kept = Vec::new();
-    for wanted in names {
-        let of_name: Vec<usize> =
-            sides.clone().filter(|side| domain.side_name(*side) == *wanted).collect();
-        if of_name.is_empty() {
-            let all: Vec<String> =
-                sides.clone().take(10).map(|side| domain.side_name(side)).collect();
-            let more = if sides.len() > 10 { ", …" } else { "" };
-            return Err(Failure::Input(format!(
-                "--keep: the domain has no side {}; its sides are {}{more}",
-                shown(wanted),
-                shown(&all.join(", "))
-            )));
-        }
-        kept.extend(of_name);
-    }
-    Ok(kept)
 }

@@ -9,7 +9,7 @@ pub struct Point {
     pub at: DVec2,
     /// The vertex of the old boundary that it is, bit for bit; none for a new point.
     pub of: Option<u32>,
-    /// The vertex of the old boundary on whose edge it lies, or whose point it is.
+    /// The edge of the old boundary on which it lies or at which it begins; at the end of an open line its last edge.
     pub edge: u32,
 }
 
@@ -51,6 +51,8 @@ pub struct Left {
 pub enum Reason {
     /// The boundary turns so sharply there, and may not be moved, or not so far.
     Sharp,
+    /// Lines meet there so sharply, or so many. Their place stays.
+    Meeting,
     /// Its points are to stay.
     Kept,
     /// The edges there would get too short to tell their points apart.

@@ -1,12 +1,11 @@
 //! Points on edges: they move nothing, and mend a short edge beside a long one and long edges in a strait.
 
+use crate::chains::Chains;
 use crate::changes::{BoundaryChange, ChangeKind, Left, Reason};
 use crate::demands::BoundaryDemands;
 use crate::error::ConditionError;
-use crate::rings::Rings;
 use glam::DVec2;
 use mindeg_interior::limits::tents_below;
-use mindeg_mesh::planar::PlanarBoundary;
 use std::collections::BTreeSet;
 
 /// Rounds of dividing: each halves what is too long.
@@ -23,7 +22,10 @@ const MOST_POINTS: usize = 20_000_000;
 /// Edges shorter than this share of the largest coordinate are not divided.
 const SHORTEST: f64 = 1e-12;
 
-impl Rings {
+/// Edges are near each other along the boundary within so many edges.
+const BESIDE: usize = 4;
+
+impl Chains {
     /// Divides edges until all limits are as demanded, or nothing more helps.
     pub(crate) fn divide(&mut self, demands: &BoundaryDemands) -> Result<(), ConditionError> {
         let largest = self.alive().map(|v| self.at(v).abs().max_element()).fold(0.0, f64::max);
@@ -37,8 +39,7 @@ impl Rings {
                 long.extend(self.to_divide(vertex, demands));
             }
             long.extend(self.in_straits(roomy, demands.angle));
-            long.extend(self.alive().filter(|edge| self.grows_fast(*edge, demands.growth)));
-            let long: Vec<u32> = self.only_alive(long).collect();
+            long.extend(self.edges().filter(|edge| self.grows_fast(*edge, demands.growth)));
             for vertex in long {
                 if self.is_kept_edge(vertex) || self.length(vertex) < SHORTEST * largest {
                     continue;
@@ -58,21 +59,26 @@ impl Rings {
         Ok(())
     }
 
-    /// The edges at a vertex that are too long: for the size, or beside the other one.
-    fn to_divide(
-        &self,
-        vertex: u32,
-        demands: &BoundaryDemands,
-    ) -> impl Iterator<Item = u32> + use<> {
-        let edges = [self.previous(vertex), vertex];
-        let [before, after] = edges.map(|edge| self.length(edge));
-        let is_uneven = self.limit(vertex) < demands.angle
-            && self.angle(vertex).to_degrees() >= demands.angle
-            && before.max(after) > UNEVEN * before.min(after);
-        let longer = if before > after { edges[0] } else { edges[1] };
+    /// The edges at a vertex that are too long: for the size, or beside another one.
+    fn to_divide(&self, vertex: u32, demands: &BoundaryDemands) -> Vec<u32> {
         let most = demands.size.map_or(f64::INFINITY, |size| LONGEST * size);
-        let long = edges.into_iter().zip([before, after]).filter(move |(_, length)| *length > most);
-        long.map(|(edge, _)| edge).chain(is_uneven.then_some(longer))
+        let mut long: Vec<u32> = Vec::new();
+        let (mut longest, mut shortest) = ((0.0, vertex), f64::INFINITY);
+        for edge in self.edges_at(vertex) {
+            let length = self.length(edge);
+            if length > most {
+                long.push(edge);
+            }
+            if length >= longest.0 {
+                longest = (length, edge);
+            }
+            shortest = shortest.min(length);
+        }
+        let is_uneven = longest.0 > UNEVEN * shortest
+            && self.limit(vertex) < demands.angle
+            && self.angle(vertex).to_degrees() >= demands.angle;
+        long.extend(is_uneven.then_some(longest.1));
+        long
     }
 
     /// True if an edge is too long for one near it and `growth` times their distance.
@@ -84,53 +90,83 @@ impl Rings {
         let (own, length) = (middle(edge), self.length(edge));
         let reach = DVec2::splat(length / growth + length);
         self.grid.any_near([own - reach, own + reach], |other| {
-            self.vertices[other as usize].is_alive
+            self.is_edge(other)
                 && LONGEST * (self.length(other) + growth * own.distance(middle(other))) < length
         })
     }
 
+    /// The pairs of edges whose tents of an angle meet, each with the angle from which on they do.
+    fn tents(&self, angle: f64) -> Vec<(f64, [u32; 2])> {
+        let (mut edges, mut names) = (Vec::new(), Vec::new());
+        for edge in self.edges() {
+            let ends = [edge, self.next(edge)].map(|v| self.place(v));
+            let [left, right] = self.vertices[edge as usize].has_domain;
+            edges.extend(left.then_some(ends));
+            edges.extend(right.then_some([ends[1], ends[0]]));
+            names.resize(edges.len(), edge);
+        }
+        let tents = tents_below(&edges, |v| self.at(v), angle).into_iter();
+        tents.map(|tent| (tent.angle, tent.edges.map(|edge| names[edge as usize]))).collect()
+    }
+
     /// The longer edge of each pair whose tents meet.
     fn in_straits(&self, angle: f64, demanded: f64) -> Vec<u32> {
-        let order = self.order();
-        let names = order.concat();
-        let boundary = self.boundary(&order);
-        let longer = |edges: [u32; 2]| {
-            let [a, b] = edges.map(|edge| names[edge as usize]);
-            match (self.is_kept_edge(a), self.is_kept_edge(b)) {
-                (false, true) => a,
-                (true, false) => b,
-                _ if self.length(a) >= self.length(b) => a,
-                _ => b,
+        let longer = |[a, b]: [u32; 2]| match (self.is_kept_edge(a), self.is_kept_edge(b)) {
+            (false, true) => a,
+            (true, false) => b,
+            _ if self.length(a) >= self.length(b) => a,
+            _ => b,
+        };
+        // Beside a corner tents with room meet at every length of edges, and beside one that is too sharp all do.
+        let is_of_use = |tent: &(f64, [u32; 2])| match self.least_between(tent.1) {
+            Some(least) => tent.0 < demanded && least >= demanded,
+            None => true,
+        };
+        self.tents(angle).into_iter().filter(is_of_use).map(|tent| longer(tent.1)).collect()
+    }
+
+    /// The least angle at the vertices between two edges in degrees, if these are beside each other.
+    fn least_between(&self, [from, to]: [u32; 2]) -> Option<f64> {
+        let mut reached: Vec<(u32, f64)> = vec![(from, 180.0)];
+        let mut start = 0;
+        for _ in 0..BESIDE {
+            let end = reached.len();
+            for index in start..end {
+                let (edge, least) = reached[index];
+                for vertex in [edge, self.next(edge)] {
+                    let least = least.min(self.angle(vertex).to_degrees());
+                    for other in self.edges_at(vertex) {
+                        if other == to {
+                            return Some(least);
+                        }
+                        if reached.iter().all(|known| known.0 != other) {
+                            reached.push((other, least));
+                        }
+                    }
+                }
             }
-        };
-        // Beside a corner tents with room meet at every length of edges.
-        let is_beside = |edges: [u32; 2]| {
-            let [a, b] = edges.map(|edge| names[edge as usize]);
-            let within = |from: u32, to: u32| {
-                std::iter::successors(Some(from), |v| Some(self.next(*v))).take(4).any(|v| v == to)
-            };
-            within(a, b) || within(b, a)
-        };
-        let tents = tents_below(&boundary, angle).into_iter();
-        let tents = tents.filter(|tent| tent.angle < demanded || !is_beside(tent.edges));
-        tents.map(|tent| longer(tent.edges)).collect()
+            start = end;
+        }
+        None
     }
 
-    fn boundary(&self, order: &[Vec<u32>]) -> PlanarBoundary {
-        let points = |ring: &Vec<u32>| ring.iter().map(|v| self.at(*v)).collect();
-        PlanarBoundary::of_mesh(&order.iter().map(points).collect::<Vec<Vec<DVec2>>>())
+    /// The limit of the whole, in degrees.
+    pub(crate) fn limit_of_all(&self) -> f64 {
+        let least = self.alive().map(|v| self.limit(v)).fold(60.0, f64::min);
+        self.tents(least).into_iter().map(|tent| tent.0).fold(least, f64::min)
     }
 
-    /// The places of the conditioned boundary that stay below the demanded angle.
-    pub(crate) fn left(&self, boundary: &PlanarBoundary, demands: &BoundaryDemands) -> Vec<Left> {
-        let names = self.order().concat();
+    /// The places that stay below the demanded angle.
+    pub(crate) fn left(&self, demands: &BoundaryDemands) -> Vec<Left> {
         let mut left: Vec<Left> = Vec::new();
-        for &vertex in &names {
+        for vertex in self.alive().filter(|v| self.place(*v) == *v) {
             let limit = self.limit(vertex);
             if limit >= demands.angle {
                 continue;
             }
-            let reason = if self.is_kept(vertex) {
+            let reason = if self.is_meeting(vertex) {
+                Reason::Meeting
+            } else if self.is_kept(vertex) {
                 Reason::Kept
             } else if self.angle(vertex).to_degrees() < demands.angle {
                 Reason::Sharp
@@ -141,11 +177,14 @@ impl Rings {
             };
             left.push(Left { at: self.at(vertex), limit, reason });
         }
-        for tent in tents_below(boundary, demands.angle) {
-            let edges = tent.edges.map(|edge| names[edge as usize]);
+        for (limit, edges) in self.tents(demands.angle) {
+            // The corner between them is there already.
+            if self.least_between(edges).is_some_and(|least| least <= limit) {
+                continue;
+            }
             let is_kept = edges.iter().any(|edge| self.is_kept_edge(*edge));
             let reason = if is_kept { Reason::Kept } else { Reason::Short };
-            left.push(Left { at: self.at(edges[0]), limit: tent.angle, reason });
+            left.push(Left { at: self.at(edges[0]), limit, reason });
         }
         left
     }

@@ -20,30 +20,36 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! Lines inside are changed as rings are, each once for both sides; where they meet each other or rings, they stay.
+//!
 //! Limits: straits are neither closed nor opened, they get shorter edges; two rings are never joined.
 
+mod chains;
 mod changes;
 mod demands;
+mod dropping;
 mod edges;
 mod error;
 mod grid;
-mod rings;
+mod stars;
 mod tips;
 
 pub use changes::{BoundaryChange, ChangeKind, Left, Point, Reason};
 pub use demands::{BoundaryDemands, Hold, LEAST_GROWTH};
 pub use error::ConditionError;
 
-use crate::rings::{MOST_EDGES, Rings};
+use crate::chains::Chains;
 use glam::DVec2;
-use mindeg_interior::limits::{Limits, degree_limit, limits};
 use mindeg_mesh::planar::PlanarBoundary;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A conditioned boundary.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Conditioned {
     /// The new rings; the first is the outer one, as before.
     pub rings: Vec<Vec<Point>>,
+    /// The new lines, in their order. One that was closed does not have its first point again.
+    pub lines: Vec<Vec<Point>>,
     /// All changes, in the order in which they were made.
     pub changes: Vec<BoundaryChange>,
     /// The places that stay below the demanded angle.
@@ -58,12 +64,12 @@ pub struct Conditioned {
 }
 
 /// Changes a boundary by as little as it takes for the limit of its minimum angle to reach the demanded angle.
-/// `hold` tells of each vertex what may happen to it.
+/// `hold` tells of each edge what may happen to it and to its first vertex. There is domain on both sides of every line.
 ///
 /// First points are dropped, each where the boundary moves least, at vertices whose limit is too small (with a size,
 /// wherever edges are shorter); then sharp corners are cut; then edges are divided. Dropping a point or cutting a
-/// corner needs a triangle that no other point lies in, so no ring crosses another; the exact sweep of
-/// [`PlanarBoundary::new`] checks the result. The same input gives the same result on every machine.
+/// corner needs a triangle that no other point lies in, so nothing crosses, and points inside stay in their faces; the exact
+/// sweep of [`PlanarBoundary::map`] checks the result. The same input gives the same result on every machine.
 ///
 /// O(n log n) for n points of the result where edges are short beside the domain.
 ///
@@ -75,24 +81,77 @@ pub fn condition(
     demands: &BoundaryDemands,
     hold: impl Fn(u32) -> Hold,
 ) -> Result<Conditioned, ConditionError> {
-    demands.check()?;
-    let before = limit_of(boundary).angle();
-    let mut rings = Rings::new(boundary, hold);
-    rings.drop_holes(demands.least_hole);
-    rings.simplify(demands);
-    rings.cut_tips(demands);
-    rings.divide(demands)?;
-    let points = rings.points();
-    let places: Vec<Vec<DVec2>> =
-        points.iter().map(|ring| ring.iter().map(|point| point.at).collect()).collect();
-    let new = PlanarBoundary::new(&places).map_err(ConditionError::Unsound)?;
-    let after = limit_of(&new).angle();
-    let left = rings.left(&new, demands);
-    let moved = rings.moved();
-    Ok(Conditioned { rings: points, changes: rings.changes, left, before, after, moved })
+    let on_rings = boundary.vertex_count();
+    condition_map(boundary, demands, hold, |edge| [true, edge >= on_rings], &[])
 }
 
-/// The limits of a boundary with the degrees that meshes with points inside keep.
-fn limit_of(boundary: &PlanarBoundary) -> Limits {
-    limits(boundary, |vertex| degree_limit(boundary.angle(vertex), MOST_EDGES))
+/// [`condition`] where not all faces are meshed: `has_domain` tells of each edge whether one that is lies on its left, and on its
+/// right. No change takes one of `marks` to the other side of an edge.
+///
+/// # Errors
+///
+/// [`ConditionError`].
+pub fn condition_map(
+    boundary: &PlanarBoundary,
+    demands: &BoundaryDemands,
+    hold: impl Fn(u32) -> Hold,
+    has_domain: impl Fn(u32) -> [bool; 2],
+    marks: &[DVec2],
+) -> Result<Conditioned, ConditionError> {
+    demands.check()?;
+    let mut chains = Chains::new(boundary, hold, has_domain, marks);
+    let before = chains.limit_of_all();
+    chains.drop_holes(demands.least_hole);
+    chains.simplify(demands);
+    chains.cut_tips(demands);
+    chains.divide(demands)?;
+    let (rings, lines) = chains.points();
+    check(boundary, &rings, &lines)?;
+    let (after, left, moved) = (chains.limit_of_all(), chains.left(demands), chains.moved());
+    Ok(Conditioned { rings, lines, changes: chains.changes, left, before, after, moved })
+}
+
+/// Proves the new boundary by the exact sweep.
+fn check(
+    old: &PlanarBoundary,
+    rings: &[Vec<Point>],
+    lines: &[Vec<Point>],
+) -> Result<(), ConditionError> {
+    let places: Vec<Vec<DVec2>> =
+        rings.iter().map(|ring| ring.iter().map(|point| point.at).collect()).collect();
+    let on_rings = rings.iter().map(Vec::len).sum::<usize>() as u32;
+    let own = (0..).zip(rings.iter().flatten());
+    let mut known: BTreeMap<u32, u32> =
+        own.filter_map(|(vertex, point)| Some((point.of?, vertex))).collect();
+    // Loose points inside stay, and so are vertices of no line.
+    let mut inner: Vec<DVec2> = Vec::new();
+    let mut vertex = |point: &Point| {
+        let new = on_rings + inner.len() as u32;
+        let vertex = point.of.map_or(new, |of| *known.entry(of).or_insert(new));
+        if vertex == new {
+            inner.push(point.at);
+        }
+        vertex
+    };
+    let lines: Vec<Vec<u32>> = (0..)
+        .zip(lines)
+        .map(|(line, points)| {
+            let mut vertices: Vec<u32> = points.iter().map(&mut vertex).collect();
+            let ends = [old.line(line).first(), old.line(line).last()];
+            if ends[0].map(|ends| ends[0]) == ends[1].map(|ends| ends[1]) {
+                vertices.extend(vertices.first().copied());
+            }
+            vertices
+        })
+        .collect();
+    let of_lines: BTreeSet<u32> = old.segments().as_flattened().iter().copied().collect();
+    let loose = (old.vertex_count()..).zip(old.inner_points());
+    inner.extend(loose.filter(|(vertex, _)| !of_lines.contains(vertex)).map(|(_, at)| *at));
+    let (_, turned) =
+        PlanarBoundary::map(&places, &inner, &lines).map_err(ConditionError::Unsound)?;
+    if turned.is_empty() {
+        return Ok(());
+    }
+    // Names the rings.
+    PlanarBoundary::new(&places).map(|_| ()).map_err(ConditionError::Unsound)
 }

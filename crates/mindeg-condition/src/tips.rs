@@ -1,15 +1,15 @@
 //! Sharp corners: no mesh has a greater minimum angle than the angle of a corner, so a tip is cut off.
 
+use crate::chains::{Chains, farthest};
 use crate::changes::{BoundaryChange, ChangeKind};
 use crate::demands::BoundaryDemands;
-use crate::rings::{Rings, farthest};
 
 /// At most this share of an edge is cut off with a tip.
 const MOST_OF_EDGE: f64 = 0.5;
 /// So often a cut is halved until the boundary moves little enough and nothing is in its way.
 const TRIES: usize = 20;
 
-impl Rings {
+impl Chains {
     /// Cuts off corners that are sharper than the demanded angle, as far as the boundary may move, but no farther than
     /// it takes for an edge of the wanted length.
     pub(crate) fn cut_tips(&mut self, demands: &BoundaryDemands) {
@@ -34,10 +34,8 @@ impl Rings {
         let mut cut = (demands.within / libm::cos(half)).min(MOST_OF_EDGE * shortest).min(for_size);
         for _ in 0..TRIES {
             let ends = edges.map(|edge| at + edge * (cut / edge.length()));
-            let is_in_the_way =
-                |v: u32| ![before, tip, after].contains(&v) && self.vertices[v as usize].is_alive;
-            let is_free =
-                !self.grid.any_within([ends[0], at, ends[1]], |v| self.at(v), is_in_the_way);
+            let places = [before, tip, after].map(|v| self.place(v));
+            let is_free = self.is_free([ends[0], at, ends[1]], places);
             let olds = [before, tip].map(|v| &self.vertices[v as usize].dropped[..]).concat();
             // Old points of what is left of the two edges are counted too: that is on the safe side.
             let near = [[self.at(before), ends[0]], ends, [ends[1], self.at(after)]];
@@ -52,12 +50,11 @@ impl Rings {
                 let first = self.insert(before, ends[0]);
                 let own = &mut self.vertices[tip as usize];
                 own.is_alive = false;
-                let (ring, dropped) = (own.ring, std::mem::take(&mut own.dropped));
+                let dropped = std::mem::take(&mut own.dropped);
                 self.vertices[first as usize].next = second;
                 self.vertices[first as usize].dropped.push(at);
                 self.vertices[first as usize].dropped.extend(dropped);
                 self.vertices[second as usize].previous = first;
-                self.counts[ring as usize] -= 1;
                 self.changes.push(BoundaryChange { kind: ChangeKind::Cut, at });
                 return;
             }

@@ -3,7 +3,10 @@
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use glam::DVec2;
-use mindeg_condition::{BoundaryDemands, ChangeKind, Conditioned, Hold, Reason, condition};
+use mindeg_condition::{
+    BoundaryDemands, ChangeKind, Conditioned, Hold, Reason, condition, condition_map,
+};
+use mindeg_interior::limits::fan_limit;
 use mindeg_mesh::Random;
 use mindeg_mesh::planar::PlanarBoundary;
 
@@ -242,4 +245,142 @@ fn demands_out_of_range_are_refused() {
     for demands in bad {
         assert!(condition(&boundary, &demands, |_| Hold::Free).is_err(), "{demands:?}");
     }
+}
+
+/// A square whose middle line has a step that is too short.
+#[test]
+fn a_line_between_two_regions_is_changed_once_for_both() {
+    let square = ring(&[[0.0, 0.0], [4.0, 0.0], [8.0, 0.0], [8.0, 8.0], [4.0, 8.0], [0.0, 8.0]]);
+    let inner = ring(&[[4.0, 4.0], [4.01, 4.0]]);
+    let line = vec![1, 6, 7, 4];
+    let (map, _) = PlanarBoundary::map(&[square], &inner, &[line]).unwrap();
+    let still = condition(&map, &BoundaryDemands::default(), |_| Hold::Free).unwrap();
+    assert!(still.before < 7.0 && still.after >= 25.0, "{still:?}");
+    assert!(count(&still, ChangeKind::Inserted) > 4 && still.lines[0].len() > 6);
+    let demands = BoundaryDemands { within: 0.02, ..BoundaryDemands::default() };
+    let found = condition(&map, &demands, |_| Hold::Free).unwrap();
+    assert!(found.after >= 25.0 && found.left.is_empty(), "{found:?}");
+    assert_eq!(count(&found, ChangeKind::Dropped), 1);
+    assert!(found.moved > 0.0 && found.moved <= 0.02);
+    // The ends are where they were.
+    let ends = [found.lines[0].first(), found.lines[0].last()].map(|end| end.unwrap().of);
+    assert_eq!(ends, [Some(1), Some(4)]);
+    // A mark between the old line and the new one keeps the old.
+    let mark = [DVec2::new(4.005, 4.0)];
+    let has_domain = |edge: u32| [true, edge >= map.vertex_count()];
+    let marked = condition_map(&map, &demands, |_| Hold::Free, has_domain, &mark).unwrap();
+    assert_eq!(count(&marked, ChangeKind::Dropped), 0);
+}
+
+#[test]
+fn lines_that_meet_too_sharply_are_named_and_end_no_edges() {
+    let square = ring(&[[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]]);
+    let inner = ring(&[[4.0, 0.2], [4.0, 0.4], [1.3, 0.065], [2.9, 0.29]]);
+    let lines = [vec![0, 6, 4], vec![0, 7, 5]];
+    let (map, _) = PlanarBoundary::map(&[square], &inner, &lines).unwrap();
+    let found =
+        condition(&map, &BoundaryDemands { within: 1.0, ..BoundaryDemands::default() }, |_| {
+            Hold::Free
+        })
+        .unwrap();
+    assert!(found.left.iter().any(|left| left.at == DVec2::ZERO && left.reason == Reason::Meeting));
+    assert!(
+        found.lines.iter().flatten().count() < 30,
+        "{} {found:?}",
+        found.lines.iter().flatten().count()
+    );
+}
+
+/// Borders by chance: a grid of regions, each border a walk.
+fn borders(cells: u32, steps: u32, roughness: f64, seed: u64) -> PlanarBoundary {
+    let mut random = Random::new(seed);
+    let corner = |x: u32, y: u32| DVec2::new(f64::from(x), f64::from(y)) * 10.0;
+    let side =
+        |i: u32| [corner(i, 0), corner(cells, i), corner(cells - i, cells), corner(0, cells - i)];
+    let outer: Vec<DVec2> =
+        (0..4).flat_map(|which| (0..cells).map(move |i| side(i)[which])).collect();
+    let mut inner: Vec<DVec2> = Vec::new();
+    let index = |x: u32, y: u32, inner: &mut Vec<DVec2>| {
+        let at = corner(x, y);
+        let known = outer.iter().chain(&*inner).position(|point| *point == at);
+        known.unwrap_or_else(|| {
+            inner.push(at);
+            outer.len() + inner.len() - 1
+        }) as u32
+    };
+    let mut lines = Vec::new();
+    for x in 0..=cells {
+        for y in 0..=cells {
+            for (dx, dy) in [(1, 0), (0, 1)] {
+                let is_inside = x + dx <= cells
+                    && y + dy <= cells
+                    && (if dx == 1 { y } else { x }) % cells != 0;
+                if !is_inside {
+                    continue;
+                }
+                let ends = [index(x, y, &mut inner), index(x + dx, y + dy, &mut inner)];
+                let [from, to] = [corner(x, y), corner(x + dx, y + dy)];
+                let mut line = vec![ends[0]];
+                for step in 1..steps {
+                    let along = (f64::from(step) + 0.7 * (random.unit() - 0.5)) / f64::from(steps);
+                    let across = roughness * along * (1.0 - along) * (random.unit() - 0.5);
+                    inner.push(from.lerp(to, along) + (to - from).perp() * across);
+                    line.push((outer.len() + inner.len() - 1) as u32);
+                }
+                line.push(ends[1]);
+                lines.push(line);
+            }
+        }
+    }
+    PlanarBoundary::map(&[&outer], &inner, &lines).unwrap().0
+}
+
+/// The limit at a point of a line: seven triangles, shared by both sides in the best way.
+fn both_sides(points: &[mindeg_condition::Point]) -> f64 {
+    let [before, after] = [0, 2].map(|i| points[i].at - points[1].at);
+    let left = after.angle_to(before).rem_euclid(std::f64::consts::TAU);
+    let fan = |angle: f64, triangles: u32| {
+        fan_limit(angle, before.length(), after.length(), Some(triangles))
+    };
+    let share = |own: u32| fan(left, own).min(fan(std::f64::consts::TAU - left, 7 - own));
+    (1..7).map(share).fold(0.0, f64::max)
+}
+
+#[test]
+fn maps_by_chance_reach_the_angle_within_the_distance() {
+    let (mut reached, mut all) = (0, 0);
+    for seed in 0..40 {
+        let map =
+            borders(2 + seed as u32 % 3, 4 + seed as u32 % 9, 0.1 + 0.4 * (seed % 3) as f64, seed);
+        for size in [None, Some(2.0)] {
+            let within = [0.0, 0.2, 1.0][(seed % 3) as usize];
+            let growth = if seed % 2 == 0 { 0.4 } else { 0.0 };
+            let demands = BoundaryDemands { within, size, growth, ..BoundaryDemands::default() };
+            let has_domain = |edge: u32| [true, edge >= map.vertex_count()];
+            let found = condition_map(&map, &demands, |_| Hold::Free, has_domain, &[]).unwrap();
+            assert_eq!(found.lines.len(), map.line_count());
+            assert!(found.moved <= within);
+            // Every old point is near its new line.
+            for (line, new) in found.lines.iter().enumerate() {
+                let new: Vec<DVec2> = new.iter().map(|point| point.at).collect();
+                let to_line = |point: DVec2| {
+                    let to = |ends: &[DVec2]| {
+                        let (a, b) = (ends[0], ends[1]);
+                        let share = (point - a).dot(b - a) / a.distance_squared(b);
+                        point.distance(a.lerp(b, share.clamp(0.0, 1.0)))
+                    };
+                    new.windows(2).map(to).fold(f64::INFINITY, f64::min)
+                };
+                let old = map.line(line).iter().flatten().map(|v| map.point(*v));
+                assert!(old.map(to_line).fold(0.0, f64::max) <= within + 1e-9, "seed {seed}");
+            }
+            assert_eq!(found.after >= 25.0, found.left.is_empty(), "seed {seed}: {:?}", found.left);
+            for points in found.lines.iter().flat_map(|line| line.windows(3)) {
+                assert!(both_sides(points) >= found.after - 1e-9, "seed {seed}");
+            }
+            all += 1;
+            reached += usize::from(found.left.is_empty());
+        }
+    }
+    assert!(3 * reached > all, "{reached} of {all}");
 }

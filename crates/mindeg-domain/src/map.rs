@@ -52,6 +52,11 @@ impl Domain {
         self.faces.as_deref()
     }
 
+    /// The name of a line inside: that of the side, or one by the line's index from 1, such as "line 2".
+    pub fn line_name(&self, line: usize, side: &Side) -> String {
+        side.name.clone().unwrap_or_else(|| line_name(line))
+    }
+
     /// The name of the region that is a face: "region 3" if it has none.
     pub fn region_name(&self, face: u32) -> String {
         let given = self.inside.regions.get(face as usize).and_then(|region| region.name.clone());
@@ -81,7 +86,7 @@ impl Domain {
         let mut lines: Vec<(Line, Option<LineKind>)> = Vec::new();
         let mut of_last = None;
         for (index, side, segments) in self.line_sides() {
-            let name = side.name.clone().unwrap_or_else(|| line_name(index));
+            let name = self.line_name(index, side);
             let is_same_line = of_last.replace(index) == Some(index);
             match lines.last_mut().filter(|_| is_same_line) {
                 Some((before, kind)) if before.name == name && *kind == side.kind => {
@@ -130,8 +135,9 @@ impl Domain {
         name::check_unnamed(regions.iter().filter_map(|region| region.name.as_deref()), unnamed)
     }
 
-    /// The sides of all lines, each with the index of its line and its segments.
-    fn line_sides(&self) -> impl Iterator<Item = (usize, &Side, Range<u32>)> {
+    /// The sides of all lines inside, each with the index of its line and the indices of its
+    /// [edges](Self::inner_segments).
+    pub fn line_sides(&self) -> impl Iterator<Item = (usize, &Side, Range<u32>)> {
         let lines = self.inside.lines.iter().enumerate();
         let sides =
             lines.flat_map(|(index, line)| line.sides.iter().map(move |side| (index, side)));

@@ -182,19 +182,40 @@ pub fn tent_limit(outline: &PlanarBoundary, below: f64) -> Option<TentLimit> {
     found.map(|edges| TentLimit { angle: least.get(), edges })
 }
 
-/// All pairs of edges of an outline whose tent limit is below `below` degrees.
+/// All pairs of edges whose tent limit is below `below` degrees. Each edge runs between two vertices with the domain on its left, so a
+/// line inside is two edges, one a way; `at` tells where a vertex is. The edges of a [`TentLimit`] are indices of `edges`.
 ///
 /// O(n log n + k) for n edges and k pairs where edges are short beside the domain.
 #[must_use]
-pub fn tents_below(outline: &PlanarBoundary, below: f64) -> Vec<TentLimit> {
-    let lines = Breaklines::default();
-    let tents = Tents::new(outline, &lines);
+pub fn tents_below(edges: &[[u32; 2]], at: impl Fn(u32) -> DVec2, below: f64) -> Vec<TentLimit> {
+    let tents = Tents::of_edges(edges, at);
     let mut found = Vec::new();
     tents.near(&mut || below, &mut |pair| {
         let angle = tents.touching_angle(pair, below);
         found.push(TentLimit { angle, edges: pair.map(|edge| edge as u32) });
     });
     found
+}
+
+/// The star limit in degrees: the greatest minimum angle of so many triangles in sectors that edges keep apart, each given by its angle in
+/// radians and the lengths of its edges; 0 with fewer triangles than sectors.
+///
+/// ```
+/// # use mindeg_interior::limits::star_limit;
+/// // Three sectors of 120 degrees: two triangles each, and of the seventh nothing is gained.
+/// let sector = (120_f64.to_radians(), [1.0, 1.0]);
+/// assert!((star_limit(&[sector; 3], 7) - 60.0).abs() < 1e-9);
+/// assert!((star_limit(&[sector; 3], 5) - 30.0).abs() < 1e-9);
+/// assert_eq!(star_limit(&[sector; 3], 2), 0.0);
+/// ```
+#[must_use]
+pub fn star_limit(sectors: &[(f64, [f64; 2])], triangles: u32) -> f64 {
+    let fan = |i: usize, most: u32| {
+        let (angle, [short, long]) = sectors[i];
+        fan_limit(angle, short, long, Some(most))
+    };
+    let Some(counts) = crate::star::shared_out(sectors.len(), triangles, fan) else { return 0.0 };
+    counts.into_iter().enumerate().map(|(i, count)| fan(i, count)).fold(60.0, f64::min)
 }
 
 /// The tent limit of each vertex of an outline and of lines in degrees: that of its edges, `most` where it is more. So
@@ -211,31 +232,28 @@ pub(crate) fn tent_limits(outline: &PlanarBoundary, lines: &Breaklines, most: f6
     vertices
 }
 
-/// The frozen edges that have a tent each, on their left: those of an outline, then those of lines both ways.
-struct Tents<'a> {
-    outline: &'a PlanarBoundary,
-    lines: &'a Breaklines,
+/// The frozen edges that have a tent each, on their left.
+struct Tents {
     edges: Vec<[u32; 2]>,
-    trees: [EdgeTree; 2],
+    ends: Vec<[DVec2; 2]>,
+    trees: Vec<EdgeTree>,
 }
 
-impl<'a> Tents<'a> {
-    fn new(outline: &'a PlanarBoundary, lines: &'a Breaklines) -> Self {
+impl Tents {
+    /// Those of an outline, then of lines both ways.
+    fn new(outline: &PlanarBoundary, lines: &Breaklines) -> Self {
         let inner = lines.edges.iter().flat_map(|[a, b]| [[*a, *b], [*b, *a]]);
         let edges: Vec<[u32; 2]> = outline.edges().chain(inner).collect();
-        let on_rings = outline.points().len();
-        let mut tents = Self { outline, lines, edges, trees: Default::default() };
-        let item = |edge: usize| {
-            let [from, to] = tents.ends(edge);
-            Item { id: edge as u32, from, to, size: from.distance(to), reach: 0.0 }
-        };
-        let items = (on_rings..tents.edges.len()).map(item).collect();
-        tents.trees = [EdgeTree::of_boundary(outline), EdgeTree::of_items(items)];
-        tents
+        let ends: Vec<[DVec2; 2]> =
+            edges.iter().map(|edge| edge.map(|v| lines.at(outline, v))).collect();
+        let on_lines = tree_of(&ends, outline.points().len());
+        Self { edges, ends, trees: vec![EdgeTree::of_boundary(outline), on_lines] }
     }
 
-    fn ends(&self, edge: usize) -> [DVec2; 2] {
-        self.edges[edge].map(|vertex| self.lines.at(self.outline, vertex))
+    fn of_edges(edges: &[[u32; 2]], at: impl Fn(u32) -> DVec2) -> Self {
+        let ends: Vec<[DVec2; 2]> = edges.iter().map(|edge| edge.map(&at)).collect();
+        let trees = vec![tree_of(&ends, 0)];
+        Self { edges: edges.to_vec(), ends, trees }
     }
 
     /// Calls `found` with each pair of edges whose tents of the angle `angle()`, in degrees, overlap.
@@ -243,7 +261,7 @@ impl<'a> Tents<'a> {
         let mut near = Vec::new();
         for edge in 0..self.edges.len() {
             let tangent = libm::tan(angle() * (PI / 180.0));
-            let ends = self.ends(edge);
+            let ends = self.ends[edge];
             let (middle, half) = (ends[0].midpoint(ends[1]), ends[0].distance(ends[1]) / 2.0);
             let reach = half * (1.0 + tangent * tangent).sqrt();
             near.clear();
@@ -259,7 +277,7 @@ impl<'a> Tents<'a> {
                     continue;
                 }
                 let tangent = libm::tan(angle() * (PI / 180.0));
-                if overlap(tent(ends, tangent), tent(self.ends(other), tangent)) {
+                if overlap(tent(ends, tangent), tent(self.ends[other], tangent)) {
                     found([edge, other]);
                 }
             }
@@ -269,8 +287,20 @@ impl<'a> Tents<'a> {
     /// The angle in degrees up to which the tents of two edges do not overlap, at most `most`.
     fn touching_angle(&self, pair: [usize; 2], most: f64) -> f64 {
         let tangent = libm::tan(most * (PI / 180.0));
-        libm::atan(touching(self.ends(pair[0]), self.ends(pair[1]), tangent)) * (180.0 / PI)
+        libm::atan(touching(self.ends[pair[0]], self.ends[pair[1]], tangent)) * (180.0 / PI)
     }
+}
+
+/// The tree over the edges from the index `first` on.
+fn tree_of(ends: &[[DVec2; 2]], first: usize) -> EdgeTree {
+    let item = |(id, &[from, to]): (usize, &[DVec2; 2])| Item {
+        id: id as u32,
+        from,
+        to,
+        size: from.distance(to),
+        reach: 0.0,
+    };
+    EdgeTree::of_items(ends.iter().enumerate().skip(first).map(item).collect())
 }
 
 /// The isosceles triangle on an edge, to its left, with base angles of this tangent.

@@ -31,7 +31,7 @@ mod posed;
 
 pub use beside::mesh_all;
 pub use coarse::CoarseSide;
-pub use condition::condition;
+pub use condition::{condition, condition_all};
 pub use improve::{ImprovedMesh, improve};
 pub use lift::{Lift, lift};
 pub use limit::{AngleLimit, Cause, angle_limit};

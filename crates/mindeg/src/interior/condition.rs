@@ -1,19 +1,27 @@
 //! A domain whose boundary lets a mesh with points inside reach a given angle.
 
-use crate::error::MeshError;
-use mindeg_condition::{BoundaryDemands, Conditioned, Hold, Point, condition as conditioned};
-use mindeg_domain::{Domain, Ring, Side};
+use std::collections::BTreeSet;
 
-/// Changes a domain's boundary by as little as it takes for the limit of its minimum angle to reach the demanded angle.
+use glam::DVec2;
+use mindeg_condition::{BoundaryDemands, Conditioned, Hold, Point, condition_map};
+use mindeg_domain::{Domain, Inside, Outline, Ring, Side};
+use mindeg_mesh::LineKind;
+use mindeg_mesh::planar::PlanarBoundary;
+
+use crate::error::MeshError;
+
+/// Changes a domain's boundary, and the lines inside it, by as little as it takes for the limit of its minimum angle to reach the
+/// demanded angle. A border between two regions is changed once, for both.
 ///
-/// Corners where the name or the kind of sides changes are not dropped, only cut where they are too sharp. The sides of `kept`, by their indices, keep all their
-/// points. Other corners may go; the sides that met there are one side then, with the settings of the first.
+/// Corners where the name or the kind of sides changes are not dropped, only cut where they are too sharp. The sides and lines
+/// with a name of `kept` keep all their points. Other corners may go; the sides that met there are one side then, with the
+/// settings of the first. Points inside, and places where lines meet or end, stay.
 ///
 /// O(n log n) for n points of the result.
 ///
 /// # Errors
 ///
-/// [`MeshError::Refused`]: demands out of their range, a domain with lines, points or regions inside or with limits of
+/// [`MeshError::Refused`]: demands out of their range, a name that nothing has, a domain with periodic sides or with limits of
 /// degrees, or a boundary that rounding makes cross itself.
 ///
 /// # Example
@@ -32,79 +40,228 @@ use mindeg_domain::{Domain, Ring, Side};
 pub fn condition(
     domain: &Domain,
     demands: &BoundaryDemands,
-    kept: &[usize],
+    kept: &[String],
+) -> Result<(Domain, Conditioned), MeshError> {
+    condition_beside(domain, demands, kept, &[])
+}
+
+/// [`condition`] of several domains that lie beside each other, such as islands: none gets into another.
+///
+/// # Errors
+///
+/// [`MeshError::Refused`], with the index of the domain.
+pub fn condition_all(
+    domains: &[Domain],
+    demands: &BoundaryDemands,
+    kept: &[String],
+) -> Result<(Vec<Domain>, Vec<Conditioned>), (usize, MeshError)> {
+    let all_points = |domain: &Domain| -> Vec<DVec2> {
+        domain.placement().points().chain(domain.inner_points().iter().copied()).collect()
+    };
+    let mut points: Vec<Vec<DVec2>> = domains.iter().map(all_points).collect();
+    let mut found: (Vec<Domain>, Vec<Conditioned>) = Default::default();
+    for (index, domain) in domains.iter().enumerate() {
+        let bounds = domain.placement().bounds();
+        let is_near =
+            |point: &DVec2| point.cmpge(bounds.min).all() && point.cmple(bounds.max).all();
+        let others = points.iter().enumerate().filter(|(other, _)| *other != index);
+        let near: Vec<DVec2> =
+            others.flat_map(|(_, points)| points).copied().filter(is_near).collect();
+        let (new, conditioned) =
+            condition_beside(domain, demands, kept, &near).map_err(|error| (index, error))?;
+        points[index] = all_points(&new);
+        found.0.push(new);
+        found.1.push(conditioned);
+    }
+    Ok(found)
+}
+
+/// [`condition`] beside points that are not to get into the domain, nor out of it.
+fn condition_beside(
+    domain: &Domain,
+    demands: &BoundaryDemands,
+    kept: &[String],
+    beside: &[DVec2],
 ) -> Result<(Domain, Conditioned), MeshError> {
     let refused = |error: &dyn std::fmt::Display| MeshError::Refused(error.to_string());
-    if domain.is_map() {
-        let sentence = "a domain with lines, points or regions inside cannot be conditioned: condition its outline alone";
+    if domain.periodic().is_some() {
+        let sentence = "a domain with periodic sides cannot be conditioned: leave them out, and match the sides afterwards";
         return Err(refused(&sentence));
     }
     if domain.is_constrained() {
         let sentence = "a domain with limits of degrees cannot be conditioned, since its vertices change: leave the limits out";
         return Err(refused(&sentence));
     }
-    let rings = domain.rings();
     let boundary = domain.boundary().map_err(|error| refused(&error))?;
-    let told = |side: usize| {
-        let side = &domain.sides()[side];
-        (&side.name, side.kind)
-    };
-    let hold = |vertex: u32| {
-        let side = rings.side_of(vertex);
-        let before = rings.is_corner(vertex).then(|| rings.previous_side(side));
+    let pieces = Pieces::new(domain, &boundary);
+    pieces.check_names(kept).map_err(|sentence| refused(&sentence))?;
+    let place = |point: DVec2| point.to_array().map(f64::to_bits);
+    let named: BTreeSet<[u64; 2]> =
+        domain.inside().points.iter().map(|point| place(point.at)).collect();
+    let hold = |edge: u32| {
+        let is_kept = |edge: u32| kept.iter().any(|name| *name == pieces.name(edge));
+        let before = pieces.before(edge);
         match before {
-            _ if kept.contains(&side) => Hold::Edge,
-            Some(before) if kept.contains(&before) => Hold::Point,
-            Some(before) if told(before) != told(side) => Hold::Corner,
+            _ if is_kept(edge) => Hold::Edge,
+            Some(before) if is_kept(before) => Hold::Point,
+            _ if named.contains(&place(boundary.point(boundary.ends(edge)[0]))) => Hold::Point,
+            Some(before) if pieces.told(before) != pieces.told(edge) => Hold::Corner,
             _ => Hold::Free,
         }
     };
-    let found = conditioned(&boundary, demands, hold).map_err(|error| refused(&error))?;
-    let of_ring = |ring: &Vec<Point>| ring_of(domain, ring);
-    let new = Domain::of_rings(found.rings.iter().map(of_ring).collect());
-    let new = new.map_err(|error| refused(&error))?;
-    let new = match domain.name() {
-        Some(name) => new.named(name).map_err(|error| refused(&error))?,
-        None => new,
+    let on_rings = boundary.vertex_count();
+    let has_domain = |edge: u32| match domain.faces() {
+        Some(faces) => {
+            faces.beside[edge as usize].map(|face| face.is_some_and(|face| !domain.is_hole(face)))
+        }
+        None => [true, edge >= on_rings],
     };
-    let new = new.with_projection(domain.projection().copied());
-    let new = match domain.interior() {
-        Some(interior) => new.with_interior(interior.clone()),
-        None => new,
-    };
-    Ok((new, found))
+    let regions = domain.inside().regions.iter().map(|region| region.at);
+    let marks: Vec<DVec2> = regions.chain(beside.iter().copied()).collect();
+    let found = condition_map(&boundary, demands, hold, has_domain, &marks);
+    let found = found.map_err(|error| refused(&error))?;
+    let rebuilt = pieces.rebuilt(&found).map_err(|error| refused(&error))?;
+    Ok((rebuilt, found))
 }
 
-/// A conditioned ring with the sides of the domain, from the first corner that is left.
-fn ring_of(domain: &Domain, points: &[Point]) -> Ring {
-    let rings = domain.rings();
-    let told = |point: &Point| {
-        let side = &domain.sides()[rings.side_of(point.edge)];
-        (&side.name, side.kind)
-    };
-    // A corner that was cut off leaves its sides to the points beside it.
-    let is_corner = |at: usize| {
-        let (point, before) = (&points[at], &points[(at + points.len() - 1) % points.len()]);
-        point.of.is_some_and(|vertex| rings.is_corner(vertex)) || told(point) != told(before)
-    };
-    let first = (0..points.len()).find(|at| is_corner(*at)).unwrap_or(0);
-    let mut ring = Ring::default();
-    let mut inner: Vec<Vec<glam::DVec2>> = Vec::new();
-    for step in 0..points.len() {
-        let at = (first + step) % points.len();
-        let point = &points[at];
-        if step > 0 && !is_corner(at) {
-            // The first point is a corner, so there is a side.
-            inner.last_mut().into_iter().for_each(|side| side.push(point.at));
-            continue;
+/// The edges of a boundary with the sides and lines that they are of.
+struct Pieces<'a> {
+    domain: &'a Domain,
+    boundary: &'a PlanarBoundary,
+    /// The line, the side and the first edge of that side, of each edge of lines.
+    of_lines: Vec<(usize, &'a Side, u32)>,
+    /// The first edge of each line, then the number of edges.
+    starts: Vec<u32>,
+}
+
+impl<'a> Pieces<'a> {
+    fn new(domain: &'a Domain, boundary: &'a PlanarBoundary) -> Self {
+        let on_rings = boundary.vertex_count();
+        let (mut of_lines, mut starts) = (Vec::new(), vec![on_rings]);
+        for (line, side, segments) in domain.line_sides() {
+            starts.resize(line + 2, on_rings + segments.end);
+            starts[line + 1] = on_rings + segments.end;
+            let first = on_rings + segments.start;
+            of_lines.extend(segments.map(|_| (line, side, first)));
         }
-        let Side { name, kind, .. } = domain.sides()[rings.side_of(point.edge)].clone();
-        ring.corners.push(point.at);
-        ring.sides.push(Side { name, kind, ..Side::count(1) });
-        inner.push(Vec::new());
+        Self { domain, boundary, of_lines, starts }
     }
-    for (side, points) in ring.sides.iter_mut().zip(inner) {
-        *side = Side { name: side.name.take(), kind: side.kind, ..Side::points(points) };
+
+    fn of_line(&self, edge: u32) -> Option<(usize, &'a Side, u32)> {
+        let segment = edge.checked_sub(self.boundary.vertex_count())?;
+        Some(self.of_lines[segment as usize])
     }
-    ring
+
+    fn side(&self, edge: u32) -> &'a Side {
+        match self.of_line(edge) {
+            Some((_, side, _)) => side,
+            None => &self.domain.sides()[self.domain.rings().side_of(edge)],
+        }
+    }
+
+    fn name(&self, edge: u32) -> String {
+        match self.of_line(edge) {
+            Some((line, side, _)) => self.domain.line_name(line, side),
+            None => self.domain.side_name(self.domain.rings().side_of(edge)),
+        }
+    }
+
+    fn told(&self, edge: u32) -> (&'a Option<String>, Option<LineKind>) {
+        let side = self.side(edge);
+        (&side.name, side.kind)
+    }
+
+    /// The edge before one on its ring or line.
+    fn before(&self, edge: u32) -> Option<u32> {
+        let Some((line, ..)) = self.of_line(edge) else {
+            return Some(self.boundary.previous(edge));
+        };
+        let is_closed = !self.domain.inside().lines[line].is_open();
+        let around = self.starts[line + 1] - 1;
+        match edge == self.starts[line] {
+            true => is_closed.then_some(around),
+            false => Some(edge - 1),
+        }
+    }
+
+    /// Whether a side begins with an edge.
+    fn begins(&self, edge: u32) -> bool {
+        match self.of_line(edge) {
+            Some((_, _, first)) => edge == first,
+            None => self.domain.rings().is_corner(edge),
+        }
+    }
+
+    /// The reason why a name is refused: nothing is called so.
+    fn check_names(&self, names: &[String]) -> Result<(), String> {
+        let sides = (0..self.domain.sides().len()).map(|side| self.domain.side_name(side));
+        let lines = self.domain.line_sides();
+        let lines = lines.map(|(line, side, _)| self.domain.line_name(line, side));
+        let mut known: Vec<String> = sides.chain(lines).collect();
+        known.dedup();
+        let Some(wrong) = names.iter().find(|name| !known.contains(name)) else { return Ok(()) };
+        let more = if known.len() > 10 { ", …" } else { "" };
+        known.truncate(10);
+        Err(format!(
+            "there is no side {wrong:?} to keep; the domain has {}{more}",
+            known.join(", ")
+        ))
+    }
+
+    /// The domain with the new rings and lines.
+    fn rebuilt(&self, found: &Conditioned) -> Result<Domain, mindeg_domain::DomainError> {
+        let mut rings = found.rings.iter().map(|ring| self.ring_of(ring, true));
+        let Ring { corners, sides } = rings.next().unwrap_or_default();
+        let lines = found.lines.iter().zip(&self.domain.inside().lines);
+        let inside = Inside {
+            lines: lines.map(|(points, line)| self.ring_of(points, !line.is_open())).collect(),
+            ..self.domain.inside().clone()
+        };
+        let new = Domain::builder(Outline::Polygon(corners), sides).inside(inside);
+        let new = rings.fold(new, mindeg_domain::DomainBuilder::hole).build()?;
+        let new = match self.domain.name() {
+            Some(name) => new.named(name)?,
+            None => new,
+        };
+        let new = new.with_projection(self.domain.projection().copied());
+        Ok(match self.domain.interior() {
+            Some(interior) => new.with_interior(interior.clone()),
+            None => new,
+        })
+    }
+
+    /// A conditioned ring or line with its sides, from the first corner that is left.
+    fn ring_of(&self, points: &[Point], is_closed: bool) -> Ring {
+        // A corner that was cut off leaves its sides to the points beside it.
+        let is_corner = |at: usize| {
+            let (point, before) = (&points[at], &points[(at + points.len() - 1) % points.len()]);
+            point.of.is_some() && self.begins(point.edge)
+                || self.told(point.edge) != self.told(before.edge)
+        };
+        let first = match is_closed {
+            true => (0..points.len()).find(|at| is_corner(*at)).unwrap_or(0),
+            false => 0,
+        };
+        let mut ring = Ring::default();
+        let mut inner: Vec<Vec<DVec2>> = Vec::new();
+        for step in 0..points.len() {
+            let at = (first + step) % points.len();
+            let point = &points[at];
+            if !is_closed && step + 1 == points.len() {
+                ring.corners.push(point.at);
+            } else if step > 0 && !is_corner(at) {
+                // The first point is a corner, so there is a side.
+                inner.last_mut().into_iter().for_each(|side| side.push(point.at));
+            } else {
+                ring.corners.push(point.at);
+                inner.push(Vec::new());
+                let Side { name, kind, .. } = self.side(point.edge).clone();
+                ring.sides.push(Side { name, kind, ..Side::count(1) });
+            }
+        }
+        for (side, points) in ring.sides.iter_mut().zip(inner) {
+            *side = Side { name: side.name.take(), kind: side.kind, ..Side::points(points) };
+        }
+        ring
+    }
 }

@@ -1,0 +1,100 @@
+//! Points that are dropped: each where the boundary moves least.
+
+use crate::chains::{Chains, NONE, farthest};
+use crate::changes::{BoundaryChange, ChangeKind};
+use crate::demands::{BoundaryDemands, Hold};
+use std::cmp::Reverse;
+use std::collections::{BinaryHeap, VecDeque};
+
+/// With a size, points are dropped up to edges of so many sizes.
+const LONGEST: f64 = 4.0 / 3.0;
+
+impl Chains {
+    /// Drops points: with a size, those that are nearest to their neighbours' line first; then those at vertices
+    /// whose limit is too small.
+    pub(crate) fn simplify(&mut self, demands: &BoundaryDemands) {
+        if demands.within == 0.0 {
+            return;
+        }
+        if let Some(size) = demands.size {
+            self.thin(demands, size * LONGEST);
+        }
+        let is_bad = |chains: &Self, v: u32| chains.limit(v) < demands.angle;
+        let mut queue: VecDeque<u32> = self.alive().filter(|v| is_bad(self, *v)).collect();
+        while let Some(vertex) = queue.pop_front() {
+            if !self.vertices[vertex as usize].is_alive || !is_bad(self, vertex) {
+                continue;
+            }
+            let near = self.neighbors(vertex).into_iter().map(|neighbor| neighbor.0);
+            let moves = [vertex].into_iter().chain(near);
+            let moves = moves.filter_map(|v| Some((self.drop_distance(v, demands)?, v)));
+            let best = moves.min_by(|a, b| a.0.total_cmp(&b.0));
+            if let Some((_, dropped)) = best {
+                let ends = self.drop(dropped);
+                queue.extend(ends.into_iter().filter(|v| is_bad(self, *v)));
+            }
+        }
+    }
+
+    /// Drops the points that are nearest to their neighbours' line, as long as no edge gets longer than `longest`.
+    fn thin(&mut self, demands: &BoundaryDemands, longest: f64) {
+        // Distances are not negative, so their bits have their order.
+        let entry = |chains: &Self, vertex: u32| {
+            let [u, w] = [chains.previous(vertex), chains.next(vertex)];
+            let is_short = u != NONE && w != NONE && chains.at(u).distance(chains.at(w)) <= longest;
+            let distance = is_short.then(|| chains.drop_distance(vertex, demands))??;
+            Some(Reverse((distance.to_bits(), vertex)))
+        };
+        let mut heap: BinaryHeap<_> = self.alive().filter_map(|v| entry(self, v)).collect();
+        while let Some(top @ Reverse((_, vertex))) = heap.pop() {
+            // Its neighbours may have changed.
+            if self.vertices[vertex as usize].is_alive && entry(self, vertex) == Some(top) {
+                let ends = self.drop(vertex);
+                heap.extend(ends.into_iter().filter_map(|v| entry(self, v)));
+            }
+        }
+    }
+
+    /// How far the boundary moves if a vertex is dropped; none if it may not be.
+    fn drop_distance(&self, vertex: u32, demands: &BoundaryDemands) -> Option<f64> {
+        let own = &self.vertices[vertex as usize];
+        if own.hold > Hold::Free {
+            return None;
+        }
+        let (u, v, w) = (own.previous, vertex, own.next);
+        let ends = [u, w].map(|v| self.at(v));
+        let of = |v: u32| farthest(&self.vertices[v as usize].dropped, ends);
+        let distance = farthest(&[self.at(v)], ends).max(of(u)).max(of(v));
+        if distance > demands.within {
+            return None;
+        }
+        let new = self.limit_with(u, v, ends[1]).min(self.limit_with(w, v, ends[0]));
+        let old = [u, v, w].map(|v| self.limit(v)).into_iter().fold(demands.angle, f64::min);
+        let is_better = new >= demands.angle || new > old;
+        let places = [u, v, w].map(|v| self.place(v));
+        // Neither does a ring of three points lose one, nor do two lines between the same places become one.
+        let is_apart = || {
+            let neighbors = self.neighbors(u);
+            !neighbors.iter().any(|neighbor| self.place(neighbor.0) == places[2])
+        };
+        let is_free = || self.is_free([ends[0], self.at(v), ends[1]], places);
+        (is_better && places[0] != places[2] && is_apart() && is_free()).then_some(distance)
+    }
+
+    /// Drops a vertex. Returns its neighbours.
+    fn drop(&mut self, vertex: u32) -> [u32; 2] {
+        let own = &mut self.vertices[vertex as usize];
+        own.is_alive = false;
+        let (u, w, at) = (own.previous, own.next, own.point.at);
+        let after = std::mem::take(&mut own.dropped);
+        let before = &mut self.vertices[u as usize];
+        // The edge is another one.
+        before.hold = before.hold.min(Hold::Point);
+        before.next = w;
+        before.dropped.push(at);
+        before.dropped.extend(after);
+        self.vertices[w as usize].previous = u;
+        self.changes.push(BoundaryChange { kind: ChangeKind::Dropped, at });
+        [u, w]
+    }
+}
