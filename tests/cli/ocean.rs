@@ -223,3 +223,35 @@ fn lengths_with_units_need_metres() {
         .refuses(&["--slope needs depths"]);
     assert!(content(folder.path()).is_empty());
 }
+
+/// Water with an island; lines along both say what is open water, and what the island is called.
+const WATER: &[u8] = br#"{"type": "FeatureCollection", "features": [
+  {"type": "Feature", "geometry": {"type": "Polygon", "coordinates": [
+    [[24, 37], [24.5, 37], [24.5, 37.2], [24.5, 37.4], [24, 37.4]], [[24.2, 37.1], [24.2, 37.2], [24.3, 37.2]]]}},
+  {"type": "Feature", "properties": {"kind": "open", "name": "strait"},
+    "geometry": {"type": "LineString", "coordinates": [[24.5, 37.4], [24.5, 37.2], [24.5, 37]]}},
+  {"type": "Feature", "properties": {"kind": "island", "name": "rock"}, "geometry": {"type": "LineString",
+    "coordinates": [[24.2, 37.1], [24.2, 37.2], [24.3, 37.2], [24.2, 37.1]]}}]}"#;
+
+#[test]
+fn kinds_of_lines_in_geojson_reach_the_mesh_and_come_back() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let (domain, grid, map) = (path("sea.json"), path("sea.14"), path("sea.geojson"));
+    let condition = ["condition", "-", "--project", "auto", "--size", "4km", "-o", &domain];
+    mindeg_reading(condition, WATER).text();
+    mindeg(["mesh", &domain, "--interior", "-o", &grid, "-o", &map]).text();
+    let grid = fort14(Path::new(&grid));
+    assert_eq!(grid.open.len(), 1);
+    assert!(grid.open[0].iter().all(|node| (grid.points[*node][0] - 24.5).abs() < 1e-3));
+    assert_eq!(grid.closed.iter().filter(|(kind, _)| *kind == 1).count(), 1);
+    let map: Value = serde_json::from_slice(&fs::read(&map).expect("a map")).expect("JSON");
+    let lines = map["features"].as_array().expect("features").iter();
+    let told: Vec<[&Value; 2]> = lines
+        .map(|feature| &feature["properties"])
+        .filter(|properties| properties["kind"].is_string())
+        .map(|properties| [&properties["line"], &properties["kind"]])
+        .collect();
+    assert!(told.contains(&[&json!("strait"), &json!("open")]), "{told:?}");
+    assert!(told.contains(&[&json!("rock"), &json!("island")]), "{told:?}");
+}

@@ -6,7 +6,8 @@ use crate::session::Session;
 use mindeg_domain::{Domain, Projection};
 use mindeg_outlines::{
     self as outlines, Division, DrawnInside, FillRule, Listed, OutlineError, OutlineFormat,
-    Outlines, PeriodicCurve, Polygon, ProjectionChoice, Selection, with_periodic_sides,
+    Outlines, PeriodicCurve, Polygon, ProjectionChoice, Selection, SideKinds, with_kinds,
+    with_periodic_sides,
 };
 use std::path::Path;
 
@@ -46,6 +47,7 @@ pub struct PolygonFile {
     pub is_in_degrees: bool,
     inside: DrawnInside,
     periodic: Vec<PeriodicCurve>,
+    kinds: SideKinds,
     name: Option<String>,
     projection: Option<Projection>,
     division: Division,
@@ -83,7 +85,7 @@ impl PolygonFile {
                  {dashes}repair cuts them there"
             ));
         }
-        let Outlines { features, mut inside, periodic, mut notes, .. } = outlines;
+        let Outlines { features, mut inside, periodic, kinds, mut notes, .. } = outlines;
         let rings = features.iter().flat_map(|feature| &feature.rings);
         let mut starts = rings.flat_map(|ring| ring.pieces.iter().map(|piece| piece.start));
         if is_in_degrees && starts.any(|start| start.abs().max_element() > LEAST_DEGREES) {
@@ -116,6 +118,7 @@ impl PolygonFile {
             notes,
             inside,
             periodic,
+            kinds,
             name: options
                 .selection
                 .layer
@@ -147,6 +150,7 @@ impl PolygonFile {
         };
         let domain = domain
             .and_then(|domain| with_periodic_sides(domain, &self.periodic))
+            .and_then(|domain| with_kinds(domain, &self.kinds))
             .map(|domain| domain.with_projection(self.projection));
         domain.map_err(|error| {
             let hint = self.hint(error.is_touch);
@@ -179,7 +183,7 @@ impl PolygonFile {
         let maps = outlines::maps(&self.polygons, &self.inside, &self.division, self.is_repaired);
         let maps = maps.and_then(|(domains, notes)| {
             let domains = domains.into_iter().map(|domain| {
-                let domain = with_periodic_sides(domain, &self.periodic)?;
+                let domain = with_kinds(with_periodic_sides(domain, &self.periodic)?, &self.kinds)?;
                 Ok::<Domain, OutlineError>(domain.with_projection(self.projection))
             });
             Ok((domains.collect::<Result<_, _>>()?, notes))

@@ -7,6 +7,7 @@ use glam::DVec2;
 use mindeg_domain::InnerPoint;
 
 use super::curve::{PieceCurve, Segment};
+use super::kinds::SideKinds;
 use super::periodic::PeriodicCurve;
 use super::text::quoted;
 
@@ -19,6 +20,8 @@ pub struct Outlines {
     pub inside: DrawnInside,
     /// Curves that are others, moved.
     pub periodic: Vec<PeriodicCurve>,
+    /// The kinds of sides that lines along the polygons give.
+    pub kinds: SideKinds,
     /// The reader's omissions and changes, as sentences for the user.
     pub notes: Vec<String>,
     /// The shapes that the file draws, in the order of the polygons.

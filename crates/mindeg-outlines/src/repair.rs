@@ -50,8 +50,8 @@ impl Outlines {
     /// ```
     pub fn repaired(mut self, rule: Option<FillRule>) -> Result<Self, OutlineError> {
         self.cut_at_antimeridian()?;
-        let Self { features, inside, periodic, notes, shapes, .. } = self;
-        let mut repaired = Self { inside, periodic, notes, ..Self::default() };
+        let Self { features, inside, periodic, kinds, notes, shapes, .. } = self;
+        let mut repaired = Self { inside, periodic, kinds, notes, ..Self::default() };
         let mut features = features.into_iter();
         let mut start = 0;
         for shape in shapes {

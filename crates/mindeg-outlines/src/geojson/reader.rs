@@ -6,6 +6,7 @@ use glam::DVec2;
 use serde_json::{Map, Value};
 
 use crate::error::OutlineError;
+use crate::kinds::{MarkedLine, kind_of};
 use crate::outline::{DrawnRing, Feature, Outlines};
 use crate::text::{counted, counted_all, quoted};
 
@@ -22,6 +23,8 @@ pub(super) struct Reader<'a> {
     unnamed: usize,
     skipped: BTreeMap<String, usize>,
     heights: bool,
+    /// Lines with a kind of boundary.
+    marked: Vec<MarkedLine>,
     /// The largest absolute values of the first and the second coordinate.
     pub(super) largest: [f64; 2],
 }
@@ -72,6 +75,11 @@ impl Reader<'_> {
                         self.skip("feature without geometry");
                         Ok(())
                     }
+                    Some(geometry)
+                        if self.marks(object, geometry, &Path::Key(path, "geometry"))? =>
+                    {
+                        Ok(())
+                    }
                     Some(geometry) => {
                         self.object(geometry, &Path::Key(path, "geometry"), own.as_deref())
                     }
@@ -102,6 +110,41 @@ impl Reader<'_> {
                 quoted(other)
             ))),
         }
+    }
+
+    /// Reads a line that has a kind of boundary; whether it is one.
+    fn marks(
+        &mut self,
+        feature: &Map<String, Value>,
+        geometry: &Value,
+        path: &Path<'_>,
+    ) -> Result<bool, OutlineError> {
+        let property = |key: &str| feature.get("properties")?.get(key)?.as_str();
+        let Some(kind) = property("kind").and_then(kind_of) else { return Ok(false) };
+        let Some(geometry) = geometry.as_object() else { return Ok(false) };
+        let is_single = match geometry.get("type").and_then(Value::as_str) {
+            Some("LineString") => true,
+            Some("MultiLineString") => false,
+            _ => return Ok(false),
+        };
+        let name = property("name").or_else(|| property("line")).map(str::to_owned);
+        let coordinates = list(geometry, "coordinates", path)?;
+        let path = &Path::Key(path, "coordinates");
+        let lines: Vec<&[Value]> = match is_single {
+            true => vec![coordinates],
+            false => coordinates
+                .iter()
+                .map(|line| items(line, "positions", path))
+                .collect::<Result<_, _>>()?,
+        };
+        for line in lines {
+            let positions = line.iter().enumerate();
+            let points = positions.map(|(index, at)| self.position(at, &Path::Item(path, index)));
+            let points = points.collect::<Result<_, _>>()?;
+            let name = name.clone();
+            self.marked.push(MarkedLine { points, name, kind, place: path.text() });
+        }
+        Ok(true)
     }
 
     fn each(
@@ -198,6 +241,10 @@ impl Reader<'_> {
     }
 
     pub(super) fn end(mut self) -> Result<Outlines, OutlineError> {
+        let marked = std::mem::take(&mut self.marked);
+        if !self.outlines.features.is_empty() {
+            self.outlines.mark(marked)?;
+        }
         let notes = &mut self.outlines.notes;
         if !self.skipped.is_empty() {
             let skipped = counted_all(&self.skipped);

@@ -36,7 +36,7 @@ impl Outlines {
         tolerance: Option<f64>,
     ) -> Result<Self, OutlineError> {
         self.cut_at_antimeridian()?;
-        let Self { features, inside, periodic, notes, shapes, .. } = self;
+        let Self { features, inside, periodic, kinds, notes, shapes, .. } = self;
         let wrong = |problem: String| OutlineError::place("", problem);
         let rule_of = |index: usize| {
             let shape = shapes.partition_point(|shape| shape.end <= index);
@@ -102,7 +102,7 @@ impl Outlines {
         }
         rings.sort_by_key(|(owner, steps)| (*owner, steps[0].chord));
 
-        let mut repaired = Self { inside, periodic, notes, ..Self::default() };
+        let mut repaired = Self { inside, periodic, kinds, notes, ..Self::default() };
         let mut rest = &rings[..];
         for (index, feature) in (0..).zip(&features) {
             let own = rest.partition_point(|(owner, _)| *owner == index);
