@@ -102,3 +102,75 @@ fn a_border_of_a_map_is_changed_once_for_both_regions() {
     let kept = mindeg_reading(kept, SQUARES).json();
     assert_eq!((&kept["dropped"], &kept["is_reached"]), (&json!(0), &json!(false)));
 }
+
+#[test]
+fn one_step_gives_the_mesh_of_two_and_tells_the_changes() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let coast = domain("../outlines/saronic.geojson");
+    let project = [&*coast, "--project", "auto"];
+    let (sea, two, one, changes) =
+        (path("sea.json"), path("2.14"), path("1.14"), path("c.geojson"));
+    mindeg(
+        [&["condition"], &project[..], &["--limit", "24", "--size", "4km", "-o", &sea]].concat(),
+    )
+    .text();
+    mindeg(["mesh", &sea, "--interior", "--open", "box", "-o", &two]).text();
+    let more = [
+        "--interior",
+        "--condition=24",
+        "--size",
+        "4km",
+        "--open",
+        "box",
+        "--json",
+        "-o",
+        &one,
+        "--changes",
+        &changes,
+    ];
+    let told = mindeg([&["mesh"], &project[..], &more].concat()).json();
+    let bytes = |path: &str| std::fs::read(path).expect("a file");
+    assert!(bytes(&one) == bytes(&two), "the meshes differ");
+    assert!(!bytes(&changes).is_empty());
+    let conditioned = &told["conditioned"];
+    assert!(conditioned["dropped"].as_u64().expect("a count") > 50);
+    assert_eq!(conditioned["is_reached"], true);
+    assert_eq!(told["limit"]["angle_limit"], conditioned["angle_limit"]);
+}
+
+#[test]
+fn islands_of_a_map_are_conditioned_together() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mesh = folder.path().join("states.obj").display().to_string();
+    let states = domain("../outlines/states.json");
+    let states = [&*states, "--layer", "states", "--name-by", "name"];
+    let more = ["--interior", "--condition", "--within", "1", "--json", "-o", &mesh];
+    let told = mindeg([&["mesh"], &states[..], &more].concat()).json();
+    let angle = |value: &serde_json::Value| value.as_f64().expect("an angle");
+    assert_eq!(told["parts"], 8);
+    assert!(angle(&told["conditioned"]["angle_limit_before"]) < 10.0);
+    assert!(angle(&told["conditioned"]["angle_limit"]) > 25.0 && angle(&told["min_angle"]) > 15.0);
+    let told = mindeg([&["condition"], &states[..], &["--within", "1"]].concat());
+    let text = told.text();
+    assert!(text.starts_with("states: 646 boundary points become"), "{text}");
+    let out = folder.path().join("states-domain.json").display().to_string();
+    let several = mindeg([&["condition"], &states[..], &["-o", &out]].concat());
+    several.refuses(&["8 that share no edge", "mesh --interior --condition"]);
+}
+
+#[test]
+fn conditioning_that_says_nothing_is_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("x.obj").display().to_string();
+    let plate = domain("plate-with-holes.json");
+    for (more, words) in [
+        (&[&*plate, "--within", "1"][..], &["--within", "--condition"][..]),
+        (&[&*plate, "--condition"], &["--condition", "--interior"]),
+        (&[&*plate, "--condition=41", "--interior"], &["at most 40"]),
+        (&[&*domain("../models/bracket.obj"), "--condition"], &["--condition", "a model"]),
+    ] {
+        mindeg([&["mesh", "-o", &out], more].concat()).refuses(words);
+    }
+    assert!(content(folder.path()).is_empty());
+}

@@ -20,7 +20,7 @@ use std::fmt::Write as _;
 ///
 /// let strait = Domain::from_rings([[[0.0, 0.0], [10.0, 0.0], [10.0, 0.5], [0.0, 0.5]]])?;
 /// let (domain, conditioned) = condition(&strait, &BoundaryDemands::default(), &[])?;
-/// let answer = ConditionAnswer::of(&strait, &domain, &conditioned);
+/// let answer = ConditionAnswer::of(&[strait], &[domain], &[conditioned]);
 /// assert!(answer.is_reached && answer.inserted > 4 && answer.dropped == 0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -80,11 +80,16 @@ pub struct LeftRow {
 }
 
 impl ConditionAnswer {
-    /// The figures of a conditioned domain.
+    /// The figures of conditioned domains: those before, those after, and what was done to each.
     #[must_use]
-    pub fn of(before: &Domain, after: &Domain, conditioned: &Conditioned) -> Self {
-        let count = |kind| conditioned.changes.iter().filter(|change| change.kind == kind).count();
-        let degrees = |at: DVec2| degrees(before, at);
+    pub fn of(before: &[Domain], after: &[Domain], conditioned: &[Conditioned]) -> Self {
+        let changes = || conditioned.iter().flat_map(|one| &one.changes);
+        let left_over = || conditioned.iter().flat_map(|one| &one.left);
+        let count = |kind| changes().filter(|change| change.kind == kind).count();
+        let least = |limit: fn(&Conditioned) -> f64| {
+            conditioned.iter().map(limit).fold(f64::INFINITY, f64::min)
+        };
+        let degrees = |at: DVec2| degrees(before.first()?, at);
         let change = |change: &mindeg::interior::BoundaryChange| {
             let kind = match change.kind {
                 ChangeKind::Dropped => "dropped",
@@ -107,18 +112,18 @@ impl ConditionAnswer {
             LeftRow { at, degrees: degrees(left.at), angle_limit: left.limit, reason }
         };
         Self {
-            points_before: points(before),
-            points: points(after),
+            points_before: before.iter().map(points).sum(),
+            points: after.iter().map(points).sum(),
             dropped: count(ChangeKind::Dropped),
             inserted: count(ChangeKind::Inserted),
             cut: count(ChangeKind::Cut),
             holes_dropped: count(ChangeKind::HoleDropped),
-            moved: conditioned.moved,
-            angle_limit_before: conditioned.before,
-            angle_limit: conditioned.after,
-            is_reached: conditioned.left.is_empty(),
-            changes: conditioned.changes.iter().map(change).collect(),
-            left: conditioned.left.iter().map(left).collect(),
+            moved: conditioned.iter().map(|one| one.moved).fold(0.0, f64::max),
+            angle_limit_before: least(|one| one.before),
+            angle_limit: least(|one| one.after),
+            is_reached: left_over().next().is_none(),
+            changes: changes().map(change).collect(),
+            left: left_over().map(left).collect(),
         }
     }
 
@@ -178,7 +183,7 @@ impl ConditionAnswer {
     /// property `boundary`, which is `before` or `after`, lines inside in the same way, and points with the properties of their rows. In degrees if the domain
     /// was projected.
     #[must_use]
-    pub fn drawn(&self, before: &Domain, after: &Domain) -> Value {
+    pub fn drawn(&self, before: &[Domain], after: &[Domain]) -> Value {
         let polygon = |boundary: &str, domain: &Domain| {
             let rings = (0..domain.rings().ring_count()).map(|ring| {
                 let range = domain.rings().ring(ring);
@@ -214,8 +219,11 @@ impl ConditionAnswer {
                 json!({"kind": "left", "angle_limit": row.angle_limit, "reason": row.reason});
             point(row.degrees.unwrap_or(row.at), properties)
         });
-        let boundaries = [("before", before), ("after", after)]
-            .map(|(name, domain)| [vec![polygon(name, domain)], lines(name, domain)].concat());
+        let boundaries = [("before", before), ("after", after)].map(|(name, domains)| {
+            domains
+                .iter()
+                .flat_map(move |domain| [vec![polygon(name, domain)], lines(name, domain)].concat())
+        });
         let boundaries = boundaries.into_iter().flatten();
         let features: Vec<Value> = boundaries.chain(changes).chain(left).collect();
         json!({"type": "FeatureCollection", "features": features})

@@ -29,7 +29,7 @@ mod view;
 
 pub(crate) use bridge::BridgeArguments;
 pub(crate) use compare::{CompareArguments, ReportFormat};
-pub(crate) use condition::ConditionArguments;
+pub(crate) use condition::{ChangeArguments, ConditionArguments};
 pub(crate) use convert::ConvertArguments;
 pub(crate) use degree::{Counts, CountsArguments, DegreeArguments, SuggestArguments};
 pub(crate) use describe::DescribeArguments;

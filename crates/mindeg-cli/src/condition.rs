@@ -1,55 +1,67 @@
 //! `mindeg condition`: a boundary that lets a mesh reach an angle.
 
-use crate::args::{ConditionArguments, Length, OutlineOptions};
+use crate::args::{ChangeArguments, ConditionArguments, Length, OutlineOptions};
 use crate::bar::Bar;
-use crate::domain::{describe, name, opened};
+use crate::domain::{Parts, Subject, UNNAMED, describe, name, opened};
 use crate::failure::Failure;
 use crate::interrupt::clean_up_on_interrupt;
 use crate::standard_output::{print, print_json};
-use mindeg::interior::{BoundaryDemands, condition};
+use mindeg::interior::condition_all;
 use mindeg_answers::condition::ConditionAnswer;
+use mindeg_answers::names::shown;
 use mindeg_files::{Wanted, is_standard_output};
-
-/// The growth of lengths where a length is given: at this one the search reaches the limits nearly everywhere.
-const GROWTH: f64 = 0.4;
-
-/// How far the boundary may move where only a length is given, as a share of it: less than a mesh of that length shows.
-const WITHIN: f64 = 0.125;
 
 pub(crate) fn run(arguments: &ConditionArguments) -> Result<(), Failure> {
     clean_up_on_interrupt()?;
     let bar = Bar::new(arguments.quiet);
-    let ConditionArguments { within, size, least_island, .. } = *arguments;
     // Rings that touch themselves are changed here, too.
     let outline = OutlineOptions { mends: true, ..arguments.outline.clone() };
     let subject = opened(&arguments.file, &outline, None, Wanted::Domain, &bar)?;
-    subject.refuse_degrees([
-        ("--size", size),
-        ("--within", within),
-        ("--least-island", least_island),
-    ])?;
-    let domain = arguments.kinds.told(subject.only()?)?;
-    let demands = BoundaryDemands {
-        angle: arguments.limit,
-        within: within
-            .or(size.map(|it| Length { value: it.value * WITHIN, ..it }))
-            .map_or(0.0, |it| it.value),
-        size: size.map(|size| size.value),
-        growth: arguments.growth.unwrap_or(arguments.size.map_or(0.0, |_| GROWTH)),
-        least_hole: least_island.map_or(0.0, |least| least.value),
-    };
-    let found =
-        bar.waiting("conditioning the boundary", || condition(&domain, &demands, &arguments.keep));
-    let (new, conditioned) = found.map_err(Failure::input)?;
+    let size = arguments.size;
+    refuse_degrees(&subject, &arguments.change, size)?;
+    let Parts { name: of_all, mut domains } = subject.parts()?;
+    arguments.kinds.tell(&mut domains)?;
+    let demands = arguments.change.demands(arguments.limit, size, arguments.growth);
+    let found = bar.waiting("conditioning the boundary", || {
+        condition_all(&domains, &demands, &arguments.change.keep)
+    });
+    let (new, conditioned) = found.map_err(|(_, error)| Failure::input(error))?;
     drop(bar);
-    let answer = ConditionAnswer::of(&domain, &new, &conditioned);
-    let domain_file = arguments.output.as_deref().map(|path| (new.to_json(), path));
-    let drawn = |path| (answer.drawn(&domain, &new).to_string(), path);
-    let changes_file = arguments.changes.as_deref().map(drawn);
+    let answer = ConditionAnswer::of(&domains, &new, &conditioned);
+    let domain_file = match (&arguments.output, &new[..]) {
+        (None, _) => None,
+        (Some(path), [new]) => Some((new.to_json(), path.as_path())),
+        (Some(_), several) => {
+            return Err(Failure::Input(format!(
+                "-o is for one domain, and there are {} that share no edge: choose one with --feature, or mesh all by \
+                 mindeg mesh --interior --condition",
+                several.len()
+            )));
+        }
+    };
+    let drawn = |path| (answer.drawn(&domains, &new).to_string(), path);
+    let changes_file = arguments.change.changes.as_deref().map(drawn);
     let files: Vec<_> = changes_file.into_iter().chain(domain_file).collect();
     describe::write_texts(&files)?;
     if files.iter().any(|(_, path)| is_standard_output(path)) {
         return Ok(());
     }
-    if arguments.json { print_json(&answer) } else { print(&answer.text(&name(&domain))) }
+    let title = match &domains[..] {
+        [domain] => name(domain),
+        _ => shown(of_all.as_deref().unwrap_or(UNNAMED)),
+    };
+    if arguments.json { print_json(&answer) } else { print(&answer.text(&title)) }
+}
+
+/// Refuses lengths in metres where coordinates are degrees.
+pub(crate) fn refuse_degrees(
+    subject: &Subject,
+    change: &ChangeArguments,
+    size: Option<Length>,
+) -> Result<(), Failure> {
+    subject.refuse_degrees([
+        ("--size", size),
+        ("--within", change.within),
+        ("--least-island", change.least_island),
+    ])
 }

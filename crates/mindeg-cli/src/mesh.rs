@@ -7,6 +7,7 @@ mod model;
 
 use crate::args::MeshArguments;
 use crate::bar::Bar;
+use crate::condition::refuse_degrees;
 use crate::demands::{met_or_written_anyway, unmet_by_boundary_mesh};
 use crate::domain::{Parts, Subject, name, subject};
 use crate::failure::Failure;
@@ -23,7 +24,8 @@ pub(crate) use features::are_one_map;
 
 pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
     let output = &arguments.surface.output;
-    match subject(&arguments.domain, Wanted::Model, &Bar::new(arguments.quiet))? {
+    let subject = opened(arguments)?;
+    match subject {
         Subject::Domain(domain) => mesh_of(&arguments.kinds.told(*domain)?, arguments, output),
         Subject::Polygons(polygons) if polygons.polygons.len() > 1 => {
             if are_one_map(arguments) {
@@ -49,6 +51,36 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
         }
         Subject::Model(model) => model::run(&model::divided(*model, arguments)?, arguments),
         Subject::Mesh(mesh) => model::run(&model::of_mesh(&mesh, arguments)?, arguments),
+    }
+}
+
+/// What is to be meshed. If its boundary is conditioned, its edges get their lengths so.
+fn opened(arguments: &MeshArguments) -> Result<Subject, Failure> {
+    let bar = Bar::new(arguments.quiet);
+    if arguments.condition.is_none() {
+        if let Some(option) = arguments.change.first_given() {
+            return Err(Failure::Input(format!(
+                "{option} says how a boundary may change: add --condition"
+            )));
+        }
+        return subject(&arguments.domain, Wanted::Model, &bar);
+    }
+    if arguments.change.changes.is_some() && !features::is_one_mesh(arguments) {
+        return Err(Failure::input(
+            "--changes is for one mesh: leave out --separate and names with a pattern",
+        ));
+    }
+    let mut domain = arguments.domain.clone();
+    let size = domain.options.size.take();
+    // Rings that touch themselves are changed, too.
+    domain.options.outline.mends = true;
+    let subject = subject(&domain, Wanted::Model, &bar)?;
+    refuse_degrees(&subject, &arguments.change, size)?;
+    match subject {
+        Subject::Model(_) | Subject::Mesh(_) => Err(Failure::input(
+            "--condition changes the boundary of a domain in the plane, and this is a model; leave it out",
+        )),
+        subject => Ok(subject),
     }
 }
 

@@ -5,7 +5,7 @@ use super::ocean::BoundaryKinds;
 use super::values::{Length, area, distance, length_with_unit};
 use super::with_exit_codes;
 use clap::Args;
-use mindeg::interior::LEAST_GROWTH;
+use mindeg::interior::{BoundaryDemands, LEAST_GROWTH};
 use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
@@ -33,10 +33,6 @@ pub(crate) struct ConditionArguments {
     #[arg(long, value_name = "ANGLE", value_parser = limit, default_value = "25", allow_hyphen_values = true)]
     pub(crate) limit: f64,
 
-    /// How far the boundary may move; without it an eighth of --size, and without both nothing moves
-    #[arg(long, value_name = "LENGTH", value_parser = distance, allow_hyphen_values = true)]
-    pub(crate) within: Option<Length>,
-
     /// The length that edges should have: shorter ones are joined within --within, longer ones divided; such as 4000 or 4km
     #[arg(long, value_name = "LENGTH", value_parser = length_with_unit, allow_hyphen_values = true)]
     pub(crate) size: Option<Length>,
@@ -46,13 +42,8 @@ pub(crate) struct ConditionArguments {
     #[arg(long, value_name = "G", value_parser = growth, allow_hyphen_values = true)]
     pub(crate) growth: Option<f64>,
 
-    /// Drop holes with a smaller area, such as 4e6 or 4km2
-    #[arg(long, value_name = "AREA", value_parser = area, allow_hyphen_values = true)]
-    pub(crate) least_island: Option<Length>,
-
-    /// A side that keeps all its points, by its name, such as "side 3"; may be given several times
-    #[arg(long, value_name = "NAME")]
-    pub(crate) keep: Vec<String>,
+    #[command(flatten)]
+    pub(crate) change: ChangeArguments,
 
     #[command(flatten)]
     pub(crate) outline: OutlineOptions,
@@ -64,11 +55,6 @@ pub(crate) struct ConditionArguments {
     #[arg(short, long, value_name = "FILE", help_heading = None)]
     pub(crate) output: Option<PathBuf>,
 
-    /// Write both boundaries, all changes and the places that stay below the limit as GeoJSON, to draw them on a map; in
-    /// degrees if the outline was projected
-    #[arg(long, value_name = "FILE", help_heading = None)]
-    pub(crate) changes: Option<PathBuf>,
-
     /// Print the changes as JSON: points_before, points, dropped, inserted, cut, holes_dropped, moved,
     /// angle_limit_before, angle_limit, is_reached, and the lists changes and left
     #[arg(long, help_heading = None)]
@@ -79,8 +65,66 @@ pub(crate) struct ConditionArguments {
     pub(crate) quiet: bool,
 }
 
+/// What may change of a boundary.
+#[derive(Clone, Debug, Args)]
+#[command(next_help_heading = "Conditioning")]
+pub(crate) struct ChangeArguments {
+    /// How far the boundary may move; without it an eighth of --size, and without both nothing moves
+    #[arg(long, value_name = "LENGTH", value_parser = distance, allow_hyphen_values = true)]
+    pub(crate) within: Option<Length>,
+
+    /// Drop holes with a smaller area, such as 4e6 or 4km2
+    #[arg(long, value_name = "AREA", value_parser = area, allow_hyphen_values = true)]
+    pub(crate) least_island: Option<Length>,
+
+    /// A side that keeps all its points, by its name, such as "side 3"; may be given several times
+    #[arg(long, value_name = "NAME")]
+    pub(crate) keep: Vec<String>,
+
+    /// Write both boundaries, all changes and the places that stay below the limit as GeoJSON, to draw them on a map; in
+    /// degrees if the outline was projected
+    #[arg(long, value_name = "FILE")]
+    pub(crate) changes: Option<PathBuf>,
+}
+
+impl ChangeArguments {
+    /// The first option that is given.
+    pub(crate) fn first_given(&self) -> Option<&'static str> {
+        let given = [
+            ("--within", self.within.is_some()),
+            ("--least-island", self.least_island.is_some()),
+            ("--keep", !self.keep.is_empty()),
+            ("--changes", self.changes.is_some()),
+        ];
+        given.into_iter().find_map(|(option, is_given)| is_given.then_some(option))
+    }
+
+    /// The demands with an angle, a length of edges and a growth.
+    pub(crate) fn demands(
+        &self,
+        angle: f64,
+        size: Option<Length>,
+        growth: Option<f64>,
+    ) -> BoundaryDemands {
+        let value = |length: Length| length.value;
+        BoundaryDemands {
+            angle,
+            within: self.within.map(value).or(size.map(|size| size.value * WITHIN)).unwrap_or(0.0),
+            size: size.map(value),
+            growth: growth.unwrap_or(size.map_or(0.0, |_| GROWTH)),
+            least_hole: self.least_island.map_or(0.0, value),
+        }
+    }
+}
+
+/// The growth of lengths where a length is given: at this one the search reaches the limits nearly everywhere.
+const GROWTH: f64 = 0.4;
+
+/// How far the boundary may move where only a length is given, as a share of it: less than a mesh of that length shows.
+const WITHIN: f64 = 0.125;
+
 /// An angle that a boundary can be asked for.
-fn limit(text: &str) -> Result<f64, String> {
+pub(super) fn limit(text: &str) -> Result<f64, String> {
     let angle = text.trim().trim_end_matches('°').parse().ok();
     let angle = angle.filter(|angle| *angle > 0.0 && *angle <= 40.0);
     angle.ok_or_else(|| "give an angle above 0 and at most 40 degrees, such as 25".to_owned())

@@ -10,7 +10,7 @@ use mindeg_files::{FillRule, ProjectionChoice};
 use std::path::PathBuf;
 
 /// One domain, from a file or from options.
-#[derive(Debug, Args)]
+#[derive(Clone, Debug, Args)]
 pub(crate) struct DomainArguments {
     /// A domain in JSON, or outlines as GeoJSON, WKT, SVG, CSV, OBJ lines, Gmsh's MSH, Triangle's
     /// .poly or DXF; - reads standard input. mindeg mesh also takes a whole model: an OBJ with
@@ -23,7 +23,7 @@ pub(crate) struct DomainArguments {
 }
 
 /// A domain without a file; with a file, what replaces what it gives for its sides.
-#[derive(Debug, Args)]
+#[derive(Clone, Debug, Args)]
 #[command(next_help_heading = "Domain")]
 pub(crate) struct DomainOptions {
     /// A rectangle with these side lengths; its sides are bottom, right, top, left

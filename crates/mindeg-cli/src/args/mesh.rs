@@ -1,5 +1,6 @@
 //! `mindeg mesh`.
 
+use super::condition::{ChangeArguments, limit};
 use super::demands::PresetArgument;
 use super::domain::DomainArguments;
 use super::goal::GoalArguments;
@@ -51,6 +52,15 @@ pub(crate) struct MeshArguments {
     #[arg(long, requires = "domain", help_heading = "Outlines")]
     pub(crate) separate: bool,
 
+    /// Change the boundary first by as little as it takes to allow this minimum angle, 25° without =ANGLE, as mindeg condition
+    /// does; --size is then the length that its edges should have. Needs --interior
+    #[arg(long, value_name = "ANGLE", value_parser = limit, num_args = 0..=1, require_equals = true,
+        default_missing_value = "25", help_heading = "Conditioning")]
+    pub(crate) condition: Option<f64>,
+
+    #[command(flatten)]
+    pub(crate) change: ChangeArguments,
+
     #[command(flatten)]
     pub(crate) kinds: BoundaryKinds,
 
@@ -65,7 +75,7 @@ pub(crate) struct MeshArguments {
 
     /// Print a summary as JSON; its keys: name, intervals, vertices, triangles, max_degree,
     /// least_max_degree, at_least, min_angle, max_angle, found_by, delaunay_min_angle, reversed, files; of polygons
-    /// that do not all hang together also regions and parts
+    /// that do not all hang together also regions and parts; with --condition also conditioned, as mindeg condition has it
     #[arg(long, help_heading = "Messages")]
     pub(crate) json: bool,
 

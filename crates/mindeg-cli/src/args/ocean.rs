@@ -38,6 +38,15 @@ impl BoundaryKinds {
         )))
     }
 
+    /// Gives the only one of some domains these kinds of sides.
+    pub(crate) fn tell(&self, domains: &mut [Domain]) -> Result<(), Failure> {
+        match domains {
+            [domain] => *domain = self.told(domain.clone())?,
+            several => self.refuse(&format!("{} that share no edge", several.len()))?,
+        }
+        Ok(())
+    }
+
     /// The domain with these kinds of sides.
     pub(crate) fn told(&self, domain: Domain) -> Result<Domain, Failure> {
         let part = |name: &String| match &**name {

@@ -3,6 +3,7 @@
 use super::features::SEPARATE;
 use crate::args::MeshArguments;
 use crate::demands::met_or_written_anyway;
+use crate::domain::describe::write_texts;
 use crate::domain::{Parts, name};
 use crate::failure::Failure;
 use crate::interrupt::SESSION;
@@ -10,6 +11,7 @@ use crate::making::Making;
 use mindeg::interior::{self, InteriorError, InteriorMesh};
 use mindeg::{Depths, Domain, Interior, Size, TriMesh};
 use mindeg_answers::advice::Purpose;
+use mindeg_answers::condition::ConditionAnswer;
 use mindeg_answers::interior::{
     InteriorAnswer, angles_and_degrees, corners, grading, local_limits, unmet_degrees, violations,
 };
@@ -37,6 +39,9 @@ struct Summary<'a> {
     /// How many regions a map has, and in how many parts that share no edge.
     #[serde(flatten)]
     map: Option<MapSummary>,
+    /// The changes of the boundary, if it was conditioned.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    conditioned: Option<&'a ConditionAnswer>,
 }
 
 /// The regions of polygons that are one map.
@@ -72,7 +77,8 @@ pub(super) fn refuse_options(arguments: &MeshArguments) -> Result<(), Failure> {
     let options = &arguments.interior;
     let sizes = (!options.sizes.is_empty()).then(|| "--sizes".to_owned());
     let depth = arguments.depth.first_given().map(str::to_owned);
-    match options.wanted.first_given().or(sizes).or(depth) {
+    let condition = arguments.condition.map(|_| "--condition".to_owned());
+    match options.wanted.first_given().or(sizes).or(depth).or(condition) {
         Some(option) => Err(Failure::Input(format!(
             "{option} is for meshes with interior points; add --interior"
         ))),
@@ -150,6 +156,23 @@ fn with_depths(
     (mesh.with_depths(values), Some(words))
 }
 
+/// The domains with their boundaries conditioned, if that is wanted, and the changes, which are drawn where a file is given.
+fn conditioned(
+    arguments: &MeshArguments,
+    domains: &[Domain],
+) -> Result<(Vec<Domain>, Option<ConditionAnswer>), Failure> {
+    let Some(angle) = arguments.condition else { return Ok((domains.to_vec(), None)) };
+    let change = &arguments.change;
+    let demands = change.demands(angle, arguments.domain.options.size, None);
+    let (new, conditioned) = interior::condition_all(domains, &demands, &change.keep)
+        .map_err(|(_, error)| Failure::input(error))?;
+    let answer = ConditionAnswer::of(domains, &new, &conditioned);
+    if let Some(path) = &change.changes {
+        write_texts(&[(answer.drawn(domains, &new).to_string(), path)])?;
+    }
+    Ok((new, Some(answer)))
+}
+
 /// Meshes a domain with interior points.
 pub(super) fn run(
     arguments: &MeshArguments,
@@ -157,8 +180,10 @@ pub(super) fn run(
     wanted: &Interior,
     mut making: Making,
 ) -> Result<(), Failure> {
+    let (domains, conditioned) = conditioned(arguments, std::slice::from_ref(domain))?;
+    let domain = &domains[0];
     let depths = arguments.depth.read(domain.projection())?;
-    let wanted = &by_depth(arguments, depths.as_ref(), wanted, std::slice::from_ref(domain))?;
+    let wanted = &by_depth(arguments, depths.as_ref(), wanted, &domains)?;
     making.open()?;
     let meshed = making.work(|progress| interior::mesh(domain, wanted, progress));
     let found = meshed.map_err(|error| refused(domain, wanted, &error))?;
@@ -181,10 +206,14 @@ pub(super) fn run(
         found_by: "interior",
         reversed: domain.was_reversed(),
         map: None,
+        conditioned: conditioned.as_ref(),
     };
     let said = || {
-        [text(&name(domain), &found, &lifting, &summary)]
+        let words = conditioned.as_ref().map(|answer| answer.text(&name(domain)));
+        words
+            .map(|words| words.trim_end().to_owned())
             .into_iter()
+            .chain([text(&name(domain), &found, &lifting, &summary)])
             .chain(depth_words)
             .chain(domain.notes())
             .collect::<Vec<_>>()
@@ -200,10 +229,8 @@ pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Res
     let surface = &arguments.surface;
     let mut making = Making::new(surface, &surface.output, arguments.quiet, arguments.json)?;
     let mut domains = Parts::of(polygons, SEPARATE)?.domains;
-    match &mut domains[..] {
-        [domain] => *domain = arguments.kinds.told(domain.clone())?,
-        several => arguments.kinds.refuse(&format!("{} that share no edge", several.len()))?,
-    }
+    arguments.kinds.tell(&mut domains)?;
+    let (domains, conditioned) = conditioned(arguments, &domains)?;
     let projection = domains.first().and_then(Domain::projection).copied();
     making.unproject(projection.as_ref());
     let depths = arguments.depth.read(projection.as_ref())?;
@@ -236,6 +263,7 @@ pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Res
         found_by: "interior",
         reversed: false,
         map: Some(MapSummary { regions, parts: domains.len() }),
+        conditioned: conditioned.as_ref(),
     };
     let title = || {
         let parts = if domains.len() == 1 { "part" } else { "parts" };
@@ -243,8 +271,11 @@ pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Res
         format!("{name}: {regions} regions in {} {parts}", domains.len())
     };
     let said = || {
-        [text(&title(), &found, &lifting, &summary)]
+        let words = conditioned.as_ref().map(|answer| answer.text(&shown(name.unwrap_or("map"))));
+        words
+            .map(|words| words.trim_end().to_owned())
             .into_iter()
+            .chain([text(&title(), &found, &lifting, &summary)])
             .chain(depth_words)
             .collect::<Vec<_>>()
             .join("\n")
