@@ -214,8 +214,29 @@ pub fn star_limit(sectors: &[(f64, [f64; 2])], triangles: u32) -> f64 {
         let (angle, [short, long]) = sectors[i];
         fan_limit(angle, short, long, Some(most))
     };
-    let Some(counts) = crate::star::shared_out(sectors.len(), triangles, fan) else { return 0.0 };
+    let Some(counts) = shared_out(sectors.len(), triangles, fan) else { return 0.0 };
     counts.into_iter().enumerate().map(|(i, count)| fan(i, count)).fold(60.0, f64::min)
+}
+
+/// How so many sectors share so many triangles, so that the least limit, which `limit` tells of a sector, is greatest; `None` where there are
+/// more sectors.
+///
+/// A fan limit never falls if more triangles are allowed: each goes where the limit is least.
+pub(crate) fn shared_out(
+    sectors: usize,
+    triangles: u32,
+    limit: impl Fn(usize, u32) -> f64,
+) -> Option<Vec<u32>> {
+    let mut counts = vec![1; sectors];
+    let mut limits: Vec<f64> = (0..sectors).map(|i| limit(i, 1)).collect();
+    for _ in 0..triangles.checked_sub(sectors as u32)? {
+        let least = (0..sectors).min_by(|a, b| limits[*a].total_cmp(&limits[*b]));
+        least.into_iter().for_each(|i| {
+            counts[i] += 1;
+            limits[i] = limit(i, counts[i]);
+        });
+    }
+    Some(counts)
 }
 
 /// The tent limit of each vertex of an outline and of lines in degrees: that of its edges, `most` where it is more. So

@@ -6,7 +6,7 @@
 //! keeps it.
 
 use crate::breaklines::Breaklines;
-use crate::limits::fan_limit;
+use crate::limits::{fan_limit, shared_out};
 use mindeg_mesh::planar::{PlanarBoundary, orientation};
 use std::f64::consts::TAU;
 
@@ -157,26 +157,6 @@ impl Stars {
 /// How sectors share so many triangles, so that the least fan limit is greatest; `None` where there are more sectors.
 pub(crate) fn allotted(sectors: &[Sector], triangles: u32) -> Option<Vec<u32>> {
     shared_out(sectors.len(), triangles, |i, most| sectors[i].limit(Some(most)))
-}
-
-/// The same for so many sectors, whose fan limits with so many triangles `limit` tells.
-///
-/// A fan limit never falls if more triangles are allowed: each goes where the limit is least.
-pub(crate) fn shared_out(
-    sectors: usize,
-    triangles: u32,
-    limit: impl Fn(usize, u32) -> f64,
-) -> Option<Vec<u32>> {
-    let mut counts = vec![1; sectors];
-    let mut limits: Vec<f64> = (0..sectors).map(|i| limit(i, 1)).collect();
-    for _ in 0..triangles.checked_sub(sectors as u32)? {
-        let least = (0..sectors).min_by(|a, b| limits[*a].total_cmp(&limits[*b]));
-        least.into_iter().for_each(|i| {
-            counts[i] += 1;
-            limits[i] = limit(i, counts[i]);
-        });
-    }
-    Some(counts)
 }
 
 /// Other ends of edges at a vertex, counter-clockwise from the direction to `first` on; exact.

@@ -7,13 +7,9 @@ use glam::DVec2;
 use mindeg_domain::{Domain, Inside, Side};
 use mindeg_mesh::LineKind;
 
-use super::outline::{Outlines, key};
+use super::outline::{Outlines, SideKinds, key};
 use super::text::{clean, quoted};
 use crate::error::OutlineError;
-
-/// The kinds of sides, by the names that the sides have.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct SideKinds(BTreeMap<String, LineKind>);
 
 /// A line along the boundary of polygons.
 pub(super) struct MarkedLine {

@@ -1,13 +1,14 @@
 //! The contents of a file of outlines: polygons with holes, whose boundary may be curved.
 
+use std::collections::BTreeMap;
 use std::str::FromStr;
 use std::sync::Arc as Shared;
 
 use glam::DVec2;
 use mindeg_domain::InnerPoint;
+use mindeg_mesh::LineKind;
 
 use super::curve::{PieceCurve, Segment};
-use super::kinds::SideKinds;
 use super::periodic::PeriodicCurve;
 use super::text::quoted;
 
@@ -29,6 +30,10 @@ pub struct Outlines {
     /// Whether coordinates are longitudes and latitudes.
     pub(super) is_geographic: bool,
 }
+
+/// The kinds of sides, by the names that the sides have.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SideKinds(pub(super) BTreeMap<String, LineKind>);
 
 /// A line or curve between two points, with the regions beside it. One with a region on neither side is a line
 /// inside a region.
