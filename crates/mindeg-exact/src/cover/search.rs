@@ -107,6 +107,8 @@ pub(crate) struct Search<'a> {
     best: Vec<bool>,
     best_len: usize,
     is_seen: Vec<bool>,
+    /// The levels that the clause joins which is being learned.
+    joins: Vec<bool>,
     steps: u64,
     restarts: Restarts,
     most_clauses: usize,
@@ -167,6 +169,7 @@ impl<'a> Search<'a> {
             phases,
             best_len: 0,
             is_seen: vec![false; variables],
+            joins: Vec::new(),
             // Making the rows takes about as long.
             steps: rows.triangle_count() as u64,
             restarts: Restarts::new(),

@@ -143,21 +143,23 @@ impl Search<'_> {
 
     /// Leaves out the literals of a clause that its others imply, directly or by others that they imply.
     fn shorten(&mut self, clause: &mut Vec<Code>, marked: &mut Vec<u32>) {
-        let mut levels: Vec<u32> = clause[1..].iter().map(|code| self.level(*code)).collect();
-        levels.sort_unstable();
+        self.joins.resize(self.level_starts.len() + 1, false);
+        let levels: Vec<u32> = clause[1..].iter().map(|code| self.level(*code)).collect();
+        levels.iter().for_each(|&level| self.joins[level as usize] = true);
         let mut kept = 1;
         for at in 1..clause.len() {
-            if !self.is_implied(clause[at], &levels, marked) {
+            if !self.is_implied(clause[at], marked) {
                 clause[kept] = clause[at];
                 kept += 1;
             }
         }
+        levels.iter().for_each(|&level| self.joins[level as usize] = false);
         clause.truncate(kept);
     }
 
     /// Whether the marked literals, which hold, imply the negation of one that does not; if so, it marks those between
     /// and takes note of what they follow from.
-    fn is_implied(&mut self, code: Code, levels: &[u32], marked: &mut Vec<u32>) -> bool {
+    fn is_implied(&mut self, code: Code, marked: &mut Vec<u32>) -> bool {
         let (first_mark, first_origin) = (marked.len(), self.origins.len());
         let mut open = vec![code ^ 1];
         let mut causes = Vec::new();
@@ -177,7 +179,7 @@ impl Search<'_> {
                 if level == 0 {
                     self.origins.push(2 * variable + 1);
                 } else if self.reasons[variable as usize] == Reason::Decided
-                    || levels.binary_search(&level).is_err()
+                    || !self.joins[level as usize]
                 {
                     is_stuck = true;
                     break;
