@@ -159,3 +159,35 @@ fn a_file_beyond_what_the_system_allows_leaves_nothing() {
     assert!(errors.contains("cannot write x.obj: File too large"), "{errors}");
     assert!(content(folder.path()).is_empty());
 }
+
+/// A ring with a hole that has more possible triangles than the search takes: each command says what is known, and what
+/// to do.
+#[test]
+fn gaps_of_large_domains_say_what_to_do() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("large.json");
+    let corner = |corner: u32| {
+        let (sin, cos) = (f64::from(corner) * std::f64::consts::TAU / 300.0).sin_cos();
+        let radius = if corner % 2 == 0 { 100.0 } else { 99.99 };
+        format!("[{}, {}]", radius * cos, radius * sin)
+    };
+    let ring = (0..300).map(corner).collect::<Vec<_>>().join(", ");
+    let hole = r#"[{"ring": [[1, 1], [2, 1], [1.5, 2]]}]"#;
+    let limits = (0..9).map(|v| format!(r#"{{"vertex": {v}, "max_degree": 3}}"#));
+    let limits = limits.collect::<Vec<_>>().join(", ");
+    let domain = format!(r#"{{"ring": [{ring}], "holes": {hole}, "vertices": [{limits}]}}"#);
+    fs::write(&file, domain).expect("a file");
+    let degree = mindeg(["degree", text(&file)]);
+    assert!(degree.text().contains("is possible is not known: the search of all meshes takes a"));
+    assert!(degree.text().contains("which --effort multiplies"), "{degree:?}");
+    let trade_off = mindeg(["tradeoff", text(&file)]);
+    assert!(trade_off.text().contains("Not all of these are proven"), "{trade_off:?}");
+    assert!(trade_off.text().contains("With fewer points"), "{trade_off:?}");
+    for (limit, words) in [
+        ("3", "no mesh here has maximum degree 3: each has at least 4, as mindeg degree proves"),
+        ("4", "no mesh of maximum degree 4 was found; "),
+    ] {
+        let run = mindeg(["mesh", text(&file), "--max-degree", limit, "-o", "x.obj"]);
+        refuses(2, &run, &[words]);
+    }
+}

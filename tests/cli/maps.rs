@@ -247,7 +247,7 @@ fn parts_without_interior_points_are_one_mesh() {
         (
             "mesh",
             &["--max-degree", "3", "-o", "x.obj"][..],
-            "part 1 (west, …): no mesh of maximum degree 3 was found",
+            "part 1 (west, …): no mesh here has maximum degree 3: each has at least 5",
         ),
         ("mesh", &["--size-inside", "1", "-o", "x.obj"], "add --interior"),
         ("degree", &["--proof", "x.json"], "choose one with --feature"),
@@ -275,7 +275,7 @@ fn degrees_come_with_their_bound() {
         ["triangles", "interior_edges"].map(|key| answer[key].as_u64().expect("a number"));
     assert_eq!(3 * triangles, 2 * interior + 46);
     mindeg(["mesh", MAP, "--max-degree", "5", "-o", "map.obj"])
-        .refuses(&["no mesh of maximum degree 5"]);
+        .refuses(&["no mesh here has maximum degree 5: each has at least 6"]);
     let proof = ["degree", MAP, "--proof", "proof.json"];
     mindeg(proof).refuses(&["mindeg verify finds and checks its proof"]);
     let degrees = |command| mindeg([command, MAP, "--json"]).json();

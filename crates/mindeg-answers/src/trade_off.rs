@@ -42,7 +42,7 @@ pub struct AngleAtDegree {
     pub min_angle: f64,
     /// The same as a share of Delaunay's: 0 to 1.
     pub share_of_delaunay: f64,
-    /// Whether that is proven; if not, windows reached it.
+    /// Whether that is proven; if not, a larger one may be possible.
     pub exact: bool,
 }
 
@@ -112,9 +112,9 @@ impl TradeOffAnswer {
             None
         } else if self.points.iter().all(|point| point.share_of_delaunay >= 1.0) {
             // No mesh has a larger minimum angle than Delaunay's.
-            Some("Windows reached these; smaller degrees may be possible.")
+            Some("Not all of these are proven: smaller degrees may be possible.")
         } else {
-            Some("Windows reached these; smaller degrees and larger angles may be possible.")
+            Some("Not all of these are proven: smaller degrees and larger angles may be possible.")
         }
     }
 }

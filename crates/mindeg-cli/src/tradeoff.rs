@@ -134,11 +134,8 @@ fn table(answer: &TradeOffAnswer, limit: u32, told: Option<Purpose>) -> String {
     }
     text.push_str(&left_out(rows.len(), points.len()));
     if let Some(question) = answer.open_question() {
-        let _ = writeln!(
-            text,
-            "{question} All meshes are searched only\nwithout holes, and where few vertices see each \
-             other."
-        );
+        let _ =
+            writeln!(text, "{question} With fewer points\nthe search of all meshes decides more.");
     }
     text.extend(answer.advice.map(|advice| advice.text(told) + "\n"));
     text

@@ -41,23 +41,25 @@ pub enum Unsolved {
     VertexLimits,
     /// More triples of vertices see each other than the problem allows.
     #[error(
-        "more than {max_triples} triples of vertices see each other, the limit of exact work; \
-         use windows, or raise the limit"
+        "more than {max_triples} triples of vertices see each other, the limit of exact work; take \
+         fewer points, or a degree that is reached without a proof"
     )]
     TooLarge {
         /// The limit.
         max_triples: u64,
     },
-    /// The domain has holes.
-    #[error("exact work needs a polygon without holes; use windows")]
+    /// The domain has holes, and this needs a polygon without; [`Cover`](crate::Cover) decides about those with.
+    #[error(
+        "this search takes a polygon without holes; with holes, the search for the least degree decides"
+    )]
     NotAPolygon,
     /// Every triangulation of a loop, or strip between loops, has an excluded edge.
     #[error("every triangulation here needs an edge that exists already")]
     Excluded,
     /// The search of a domain with holes took all its steps, or has too many triangles.
     #[error(
-        "the search did not decide whether a triangulation keeps the limits; raise these limits, or \
-         let it take more steps"
+        "the search did not decide whether a triangulation keeps the limits; raise these limits, take \
+         fewer points, or let it take more steps"
     )]
     Undecided,
     /// The progress callback cancelled the work.

@@ -65,8 +65,14 @@ impl MeshError {
         ))
     }
 
-    /// No mesh within a degree limit was found, though one may exist.
+    /// No mesh within a degree limit was found, or none exists.
     pub(crate) fn not_reached(limit: u32, reached: u32, at_least: u32) -> Self {
+        if limit < at_least {
+            return Self::Refused(format!(
+                "no mesh here has maximum degree {limit}: each has at least {at_least}, as mindeg degree proves; \
+                 {reached} is reached"
+            ));
+        }
         Self::Refused(format!(
             "no mesh of maximum degree {limit} was found; {reached} is reached, and no mesh has less than \
              {at_least}"

@@ -7,7 +7,7 @@ use std::cmp::Reverse;
 
 use mindeg_domain::{ConvexForm, Domain};
 use mindeg_exact::measure::least_tangent;
-use mindeg_exact::{MAX_VERTICES, Problem, Unsolved, windows};
+use mindeg_exact::{MAX_CANDIDATES, MAX_VERTICES, Problem, Unsolved, windows};
 use mindeg_mesh::{Cancelled, Progress};
 
 use crate::boundary_mesh::{BoundaryMesh, points_of};
@@ -182,9 +182,10 @@ impl<'a> Posed<'a> {
                 return MeshError::LimitsNotReached;
             }
             Unsolved::NotAPolygon => {
-                return MeshError::refused(
-                    "the domain has holes and more triangles that meshes may have than the search takes",
-                );
+                return MeshError::Refused(format!(
+                    "more than {MAX_CANDIDATES} triangles are possible here, too many for the search of all \
+                     meshes; take fewer points, or the least degree that is reached"
+                ));
             }
             _ => return error.into(),
         }

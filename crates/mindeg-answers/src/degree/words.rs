@@ -75,7 +75,8 @@ pub(super) fn in_words(
         text.push_str(&format!(
             "Whether {open} is possible is not known: {}.\n",
             if domain.rings().ring_count() > 1 {
-                "the search of all meshes with holes took too many steps"
+                "the search of all meshes takes a number of steps, which --effort multiplies, and at most \
+                 1,000,000 possible triangles"
             } else {
                 "too many of its vertices see each other for a search of all meshes"
             }
