@@ -47,6 +47,7 @@ mod refused_outputs;
 mod remesh;
 mod run;
 mod slips;
+mod stitch;
 mod suggest;
 mod terminal;
 mod tradeoff;

@@ -36,6 +36,7 @@ pub mod preset;
 pub mod proof;
 pub mod remesh;
 pub mod sizes;
+pub mod stitch;
 pub mod suggest;
 pub mod surface;
 pub mod trade_off;

@@ -20,6 +20,7 @@ mod mesh;
 mod ocean;
 mod purpose;
 mod remesh;
+mod stitch;
 mod surface;
 mod tolerance;
 mod tradeoff;
@@ -41,6 +42,7 @@ pub(crate) use inspect::InspectArguments;
 pub(crate) use loop_choice::LoopChoice;
 pub(crate) use mesh::MeshArguments;
 pub(crate) use remesh::RemeshArguments;
+pub(crate) use stitch::StitchArguments;
 pub(crate) use surface::SurfaceArguments;
 pub(crate) use tolerance::Tolerance;
 pub(crate) use tradeoff::TradeoffArguments;
@@ -110,6 +112,7 @@ impl Command {
             Self::Convert(arguments) => Some(&arguments.surface),
             Self::Fill(arguments) => Some(&arguments.surface),
             Self::Bridge(arguments) => Some(&arguments.surface),
+            Self::Stitch(arguments) => Some(&arguments.surface),
             _ => None,
         }
     }
@@ -143,6 +146,7 @@ pub(crate) enum Command {
     Remesh(RemeshArguments),
     Fill(FillArguments),
     Bridge(BridgeArguments),
+    Stitch(StitchArguments),
     View(ViewArguments),
     Explore(ExploreArguments),
     Convert(ConvertArguments),

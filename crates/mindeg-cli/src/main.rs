@@ -40,6 +40,7 @@ mod remesh;
 mod schema;
 mod slips;
 mod standard_output;
+mod stitch;
 mod suggest;
 mod terminal;
 mod threads;
@@ -96,6 +97,7 @@ fn run(command: &Command) -> Result<(), Failure> {
         Command::Remesh(arguments) => shared(|| remesh::run(arguments)),
         Command::Fill(arguments) => shared(|| fill::run(arguments)),
         Command::Bridge(arguments) => shared(|| bridge::run(arguments)),
+        Command::Stitch(arguments) => shared(|| stitch::run(arguments)),
         Command::Mesh(arguments) => shared(|| mesh::run(arguments)),
         Command::Tradeoff(arguments) => shared(|| tradeoff::run(arguments)),
         Command::Compare(arguments) => shared(|| compare::run(arguments)),

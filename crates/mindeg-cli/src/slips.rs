@@ -32,7 +32,7 @@ fn output_missing(command: &str, error: &clap::Error) -> Option<String> {
         return None;
     };
     let example = match command {
-        "mesh" | "convert" | "fill" | "bridge" | "improve" | "remesh" => "-o mesh.obj",
+        "mesh" | "convert" | "fill" | "bridge" | "stitch" | "improve" | "remesh" => "-o mesh.obj",
         "compare" => "-o report.html, or give --json",
         "view" => "-o view.html",
         _ => return None,

@@ -183,6 +183,16 @@ impl Domain {
         Ok(domain)
     }
 
+    /// The same domain with other constraints on degrees, as of [`DomainBuilder::constraints`].
+    ///
+    /// # Errors
+    ///
+    /// Constraints that do not fit, or that no mesh keeps.
+    pub fn with_constraints(&self, constraints: Constraints) -> Result<Self, DomainError> {
+        let domain = Self { constraints, ..self.clone() };
+        domain.rebuilt(domain.sides().to_vec(), domain.inside.clone())
+    }
+
     pub(crate) fn rebuilt(&self, sides: Vec<Side>, inside: Inside) -> Result<Self, DomainError> {
         let rings = self.rings();
         if sides.len() != rings.side_count() {

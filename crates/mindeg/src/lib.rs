@@ -59,6 +59,8 @@ mod regions;
 pub mod remesh;
 pub mod repair;
 mod searched;
+#[cfg(feature = "interior")]
+pub mod stitch;
 mod trade_off;
 pub mod verify;
 mod windowed;

@@ -106,6 +106,16 @@ impl TriMesh {
             }
         };
         self.polygons = polygons;
+        if !(self.depths.is_empty() && other.depths.is_empty()) {
+            self.depths.resize(first as usize, 0.0);
+            self.depths.extend_from_slice(&other.depths);
+            self.depths.resize(vertices, 0.0);
+        }
+        if !(self.line_kinds.is_empty() && other.line_kinds.is_empty()) {
+            self.line_kinds.resize(first_line as usize, None);
+            self.line_kinds.extend_from_slice(&other.line_kinds);
+            self.line_kinds.resize(self.lines.len() + other.lines.len(), None);
+        }
         self.positions.extend_from_slice(&other.positions);
         self.triangles.extend(other.triangles.iter().map(|t| t.map(|vertex| first + vertex)));
         self.groups.extend(other.groups.iter().map(|group| Group {
@@ -171,6 +181,26 @@ mod tests {
     fn triangle() -> TriMesh {
         let mesh = TriMesh::new(vec![DVec3::ZERO, DVec3::X, DVec3::Y], vec![[0, 1, 2]]);
         mesh.unwrap().named("triangle").with_rounding(0.5)
+    }
+
+    #[test]
+    fn depths_and_kinds_stay_with_their_vertices_and_lines() {
+        use crate::{LineKind, Mesh, Positions, Triangles};
+        let told = quad()
+            .with_depths(vec![1.0, 2.0, 3.0, 4.0])
+            .with_line_kinds(vec![Some(LineKind::Open)]);
+        for (one, other, depths, kinds) in [
+            (&told, &triangle(), [1.0, 2.0, 3.0, 4.0, 0.0, 0.0, 0.0], [Some(LineKind::Open), None]),
+            (&triangle(), &told, [0.0, 0.0, 0.0, 1.0, 2.0, 3.0, 4.0], [Some(LineKind::Open), None]),
+        ] {
+            let both = one.clone().with_mesh_added(other).unwrap();
+            let mut found = [0.0; 7];
+            both.fill_depths(0, &mut found);
+            assert_eq!(found, depths);
+            assert_eq!([0, 1].map(|line| (&both as &dyn Mesh).line_kind(line)), kinds);
+        }
+        let both = quad().with_mesh_added(&told).unwrap();
+        assert_eq!([0, 1].map(|line| both.line_kind(line)), [None, Some(LineKind::Open)]);
     }
 
     #[test]

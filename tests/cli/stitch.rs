@@ -1,0 +1,178 @@
+//! Meshes joined by a mesh of the gap between them.
+
+use crate::mesh::content;
+use crate::run::mindeg;
+use serde_json::json;
+use std::fs;
+use std::path::Path;
+
+const OCEAN: &str = r#"{"polygon": {"corners": [[0, 0], [10, 0], [10, 4], [10, 6], [10, 10], [0, 10]]}, "sides": [
+    {"size": 1, "name": "south", "kind": "open"}, {"size": 0.7, "name": "shore", "kind": "land"},
+    {"size": 0.5, "name": "mouth", "kind": "open"}, {"size": 0.7, "name": "shore", "kind": "land"},
+    {"size": 1, "name": "north", "kind": "land"}, {"size": 1, "name": "west", "kind": "land"}]}"#;
+const RIVER: &str = r#"{"polygon": {"corners": [[13, 4.4], [20, 4.2], [20, 5.8], [13, 5.6]]}, "sides": [
+    {"size": 0.4, "name": "bank", "kind": "land"}, {"size": 0.4, "name": "inflow", "kind": "open"},
+    {"size": 0.4, "name": "bank", "kind": "land"}, {"size": 0.4, "name": "end", "kind": "open"}]}"#;
+const DELTA: &str = "POLYGON ((9.8 3.8, 13.2 4.3, 13.2 5.7, 9.8 6.2))";
+
+/// The meshes of the ocean and of the river, with depths of 10 and 2, in a folder.
+fn meshes(folder: &Path, river: &str) -> [String; 3] {
+    let path = |name: &str| folder.join(name).display().to_string();
+    let grid = |depth: f64| {
+        format!(
+            "ncols 2\nnrows 2\nxllcorner -1\nyllcorner -1\ncellsize 30\n{depth} {depth}\n{depth} {depth}\n"
+        )
+    };
+    for (name, json, depth) in [("ocean", OCEAN, 10.0), ("river", river, 2.0)] {
+        let [domain, depths] = ["json", "asc"].map(|end| path(&format!("{name}.{end}")));
+        fs::write(&domain, json).expect("a file");
+        fs::write(&depths, grid(depth)).expect("a file");
+        let out = path(&format!("{name}.14"));
+        mindeg(["mesh", &domain, "--interior", "--depth", &depths, "-o", &out]).text();
+    }
+    let area = path("delta.wkt");
+    fs::write(&area, DELTA).expect("a file");
+    [path("ocean.14"), path("river.14"), area]
+}
+
+/// The nodes and the elements of a fort.14, without their numbers; nodes of elements count from 1.
+fn lists(path: &str) -> [Vec<Vec<f64>>; 2] {
+    let text = fs::read_to_string(path).expect("a grid");
+    let mut lines = text.lines().skip(1);
+    let numbers = |line: &str| -> Vec<f64> {
+        line.split_whitespace().map_while(|word| word.parse().ok()).skip(1).collect()
+    };
+    let head = lines.next().expect("counts");
+    let mut counts = head.split_whitespace().map(|word| word.parse::<usize>().unwrap_or(0));
+    let [elements, nodes] = [0; 2].map(|_: usize| counts.next().expect("a count"));
+    let nodes = lines.by_ref().take(nodes).map(numbers).collect();
+    [nodes, lines.take(elements).map(numbers).collect()]
+}
+
+#[test]
+fn a_gap_is_filled_and_the_meshes_stay() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [ocean, river, area] = meshes(folder.path(), RIVER);
+    let out = folder.path().join("both.14").display().to_string();
+    let run = mindeg(["stitch", &ocean, &river, "--within", &area, "--json", "-o", &out]);
+    let told = run.json();
+    assert_eq!((&told["joined"], &told["outside_5_to_7"]), (&json!(5), &json!([])));
+    assert!(told["min_angle"].as_f64().expect("an angle") > 28.0);
+    let [[a, ta], [b, tb], [both, all]] = [&ocean, &river, &out].map(|path| lists(path));
+    assert_eq!(both[..a.len()], a);
+    assert_eq!(both[a.len()..a.len() + b.len()], b);
+    assert_eq!(all[..ta.len()], ta);
+    let moved: Vec<Vec<f64>> = tb
+        .iter()
+        .map(|row| {
+            row.iter()
+                .enumerate()
+                .map(|(i, it)| if i > 0 { it + a.len() as f64 } else { *it })
+                .collect()
+        })
+        .collect();
+    assert_eq!(all[ta.len()..ta.len() + tb.len()], moved);
+    // Depths lie between, and rise towards the river.
+    let new = &both[a.len() + b.len()..];
+    assert!(new.iter().all(|node| (2.0..=10.0).contains(&node[2])));
+    let mean =
+        |nodes: Vec<&Vec<f64>>| nodes.iter().map(|node| node[2]).sum::<f64>() / nodes.len() as f64;
+    let (west, east): (Vec<_>, Vec<_>) = new.iter().partition(|node| node[0] < 11.5);
+    assert!(mean(west) > mean(east) + 2.0);
+    // The mouth is no boundary any more; the others keep their names, and the new banks are land.
+    let text = fs::read_to_string(&out).expect("a grid");
+    let has = |name: &str| text.contains(&format!("({name})"));
+    assert!(!has("mouth") && !has("end") && !has("mesh"));
+    assert!(["south", "shore", "inflow", "bank", "land"].into_iter().all(has));
+    let inspected = mindeg(["inspect", &out]);
+    assert!(inspected.text().contains("nothing wrong found"), "{}", inspected.text());
+}
+
+#[test]
+fn what_cannot_be_stitched_is_refused_with_the_place() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let overlapping = RIVER.replace("[13, 4.4]", "[9, 4.4]").replace("[13, 5.6]", "[9, 5.6]");
+    let [ocean, river, area] = meshes(folder.path(), &overlapping);
+    let path = |name: &str, text: &str| {
+        let path = folder.path().join(name).display().to_string();
+        fs::write(&path, text).expect("a file");
+        path
+    };
+    let half = path("half.wkt", "POLYGON ((9.8 3.8, 11 4.3, 11 5.7, 9.8 6.2))");
+    let inside = path("inside.wkt", "POLYGON ((1 1, 2 1, 2 2, 1 2))");
+    let out = folder.path().join("x.14").display().to_string();
+    let before = content(folder.path());
+    for (other, area, words) in [
+        (&river, &area, &["overlap", "near ("][..]),
+        (&river, &inside, &["no gap"]),
+        (&ocean, &half, &["stays apart"]),
+    ] {
+        mindeg(["stitch", &ocean, other, "--within", area, "-o", &out]).refuses(words);
+    }
+    assert_eq!(content(folder.path()), before);
+}
+
+#[test]
+fn a_mesh_in_a_hole_an_island_in_the_gap_and_degrees() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let put = |name: &str, text: &str| {
+        fs::write(path(name), text).expect("a file");
+        path(name)
+    };
+    let square = |from: f64, to: f64, size: f64| {
+        format!(r#""corners": [[{from}, {from}], [{to}, {from}], [{to}, {to}], [{from}, {to}]]"#)
+            + &format!(r#", "sides": [{0}, {0}, {0}, {0}]"#, format!(r#"{{"size": {size}}}"#))
+    };
+    let polygon = |square: String| {
+        square
+            .replacen("\"corners\": ", "\"polygon\": {\"corners\": ", 1)
+            .replacen("]], ", "]]}, ", 1)
+    };
+    let frame = format!(
+        "{{{}, \"holes\": [{{{}}}]}}",
+        polygon(square(0.0, 12.0, 1.0)),
+        square(3.0, 9.0, 0.8)
+    );
+    let core = format!("{{{}}}", polygon(square(5.0, 7.0, 0.5)));
+    let mesh = |name: &str, text: &str, more: &[&str]| {
+        let (domain, out) = (put(name, text), path(&format!("{name}.14")));
+        mindeg([&["mesh", &*domain, "--interior", "-o", &*out][..], more].concat()).text();
+        out
+    };
+    let stitched = |meshes: [&str; 2], area: &str, more: &[&str]| {
+        let out = path("out.14");
+        let first = ["stitch", meshes[0], meshes[1], "--within", area, "--json", "-o", &*out];
+        let told = mindeg([&first[..], more].concat()).json();
+        assert_eq!(told["outside_5_to_7"], json!([]));
+        let inspected = mindeg(["inspect", &out, "--json"]).json();
+        let angle = told["min_angle"].as_f64().expect("an angle");
+        let loops = inspected["boundary_loops"].as_u64();
+        (told["joined"].as_u64().expect("a count"), loops.expect("a count"), angle)
+    };
+    let around = put("around.wkt", "POLYGON ((2.5 2.5, 9.5 2.5, 9.5 9.5, 2.5 9.5))");
+    let both = [mesh("frame.json", &frame, &[]), mesh("core.json", &core, &[])];
+    let (joined, loops, angle) = stitched([&both[0], &both[1]], &around, &[]);
+    assert!((joined, loops) == (48, 1) && angle > 35.0, "{joined} {loops} {angle}");
+
+    let [ocean, river, _] = meshes(folder.path(), RIVER);
+    let island = DELTA.replace("))", "), (11.4 4.9, 11.4 5.2, 11.7 5.1))");
+    let (joined, loops, angle) = stitched([&ocean, &river], &put("island.wkt", &island), &[]);
+    assert!((joined, loops) == (5, 2) && angle > 28.0, "{joined} {loops} {angle}");
+
+    let geojson = |ring: &str| format!(r#"{{"type": "Polygon", "coordinates": [[{ring}]]}}"#);
+    let auto = ["--project", "auto"];
+    let of = |name: &str, ring: &str, size: &str| {
+        mesh(name, &geojson(ring), &[&auto[..], &["--size", size]].concat())
+    };
+    let west = of(
+        "west.geojson",
+        "[24, 37], [24.3, 37], [24.3, 37.1], [24.3, 37.2], [24.3, 37.3], [24, 37.3]",
+        "3km",
+    );
+    let east =
+        of("east.geojson", "[24.4, 37.11], [24.7, 37.11], [24.7, 37.19], [24.4, 37.19]", "2km");
+    let area = geojson("[24.29, 37.08], [24.41, 37.105], [24.41, 37.195], [24.29, 37.22]");
+    let (joined, loops, angle) = stitched([&west, &east], &put("area.geojson", &area), &auto);
+    assert!((joined, loops) == (5, 1) && angle > 32.0, "{joined} {loops} {angle}");
+}
