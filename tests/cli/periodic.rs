@@ -112,6 +112,11 @@ fn gmsh_files_keep_periodic_curves() {
         mindeg([&["convert", text(&mesh), "-q", "-o", text(&again)], &options[..]].concat()).text();
         let converted = fs::read_to_string(&again).expect("an MSH");
         assert_eq!(pairs(&converted), own);
+        // A recipe adds a remark and takes nothing away.
+        let told = at("told.msh");
+        let recipe = ["mesh", text(&domain), "--interior", "--recipe", "-q", "-o", text(&told)];
+        mindeg([&recipe[..], &options[..]].concat()).text();
+        assert_eq!(pairs(&fs::read_to_string(&told).expect("an MSH")), own);
         // As an outline of its curves, with its points.
         let outline = at("outline.json");
         mindeg(["domain", text(&mesh), "-o", text(&outline)]).text();

@@ -133,7 +133,7 @@ impl Arguments {
 /// The commands, in the order in which people need them.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    Mesh(MeshArguments),
+    Mesh(Box<MeshArguments>),
     Degree(DegreeArguments),
     Tradeoff(TradeoffArguments),
     Compare(CompareArguments),

@@ -27,7 +27,6 @@ mod foreign;
 mod input;
 mod kind;
 mod mesh;
-mod on_globe;
 mod open;
 mod outputs;
 mod polygons;

@@ -2,17 +2,26 @@
 
 use crate::error::{FileError, extension};
 use crate::foreign;
-use crate::on_globe::OnGlobe;
 use crate::outputs::{Outputs, cannot_write, is_standard_output};
 use crate::recipe::Recipe;
 use crate::session::Session;
+use glam::DVec3;
 use mindeg_domain::Projection;
 use mindeg_formats::{Format, WriteError, WriteOptions, Writer, extensions};
-use mindeg_mesh::{MadeBy, Mesh, Positions, Progress};
+use mindeg_mesh::{Mesh, Positions, Progress, Written};
 use mindeg_outlines::OutlineFormat;
 use std::fs;
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
+
+/// The decimals of degrees: nine are a tenth of a millimetre.
+const DECIMALS: f64 = 1e9;
+
+/// A point of a plane in degrees of longitude and latitude, as the plane was projected.
+fn in_degrees(projection: &Projection, point: DVec3) -> DVec3 {
+    let degrees = projection.to_degrees(point.truncate()) * DECIMALS;
+    (degrees.map(libm::round) / DECIMALS).extend(point.z)
+}
 
 /// All outputs of one mesh.
 pub struct Targets<'a> {
@@ -202,19 +211,14 @@ impl<'a> Targets<'a> {
     ) -> Result<(), FileError> {
         let mut taken = Ok(());
         for target in self.targets {
-            let mesh = mesh_for(target.format);
-            let made;
-            let mesh: &dyn Mesh = match &self.recipe {
-                Some(made_by) => {
-                    made = MadeBy { mesh, made_by };
-                    &made
-                }
-                None => mesh,
+            let projection = self.projection.filter(|_| target.format.in_degrees());
+            let degrees = projection.map(|projection| move |point| in_degrees(&projection, point));
+            let mesh = Written {
+                mesh: mesh_for(target.format),
+                made_by: self.recipe.as_deref(),
+                place: degrees.as_ref().map(|place| place as _),
             };
-            let written = match self.projection.filter(|_| target.format.in_degrees()) {
-                Some(projection) => target.write(&OnGlobe { mesh, projection }, progress),
-                None => target.write(mesh, progress),
-            };
+            let written = target.write(&mesh, progress);
             match written {
                 // Nobody reads on, and the other outputs are not for that reader.
                 Err(error) if error.kind() == Some(ErrorKind::BrokenPipe) => taken = Err(error),

@@ -31,7 +31,6 @@ pub mod crossing;
 pub mod distance;
 pub mod ear_clipping;
 pub mod inspection;
-mod made_by;
 mod mesh;
 mod normals;
 mod numbers;
@@ -45,13 +44,13 @@ mod summary;
 mod tri_mesh;
 mod welding;
 mod worst;
+mod written;
 
 pub use bounds::Bounds;
 pub use box_tree::BoxTree;
 pub use by_name::ByName;
 pub use connectivity::boundary::BoundaryLoop;
 pub use connectivity::disjoint_sets::DisjointSets;
-pub use made_by::MadeBy;
 pub use mesh::{
     Group, Line, LineKind, Material, Mesh, NamedVertex, PeriodicLine, Positions, Triangles, filled,
 };
@@ -62,3 +61,4 @@ pub use progress::{Cancelled, Counter, Progress, Step};
 pub use random::Random;
 pub use tri_mesh::{TriMesh, TriMeshError};
 pub use welding::weld;
+pub use written::Written;

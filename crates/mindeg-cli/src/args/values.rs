@@ -101,19 +101,6 @@ fn with_decimal_hint(text: &str, example: &str) -> String {
     format!("{example}{hint}")
 }
 
-/// A length above 0.
-pub(crate) fn length(text: &str) -> Result<f64, String> {
-    let length = text.trim().parse().ok().filter(|&length: &f64| length > 0.0);
-    let number = text.trim().trim_end_matches(|c: char| c.is_alphabetic()).trim_end();
-    let example = match number.parse::<f64>() {
-        Ok(number) if number > 0.0 && length.is_none() => {
-            "give a length in the unit of the coordinates, without its name, such as 0.5"
-        }
-        _ => "give a length above 0, such as 0.5",
-    };
-    length.filter(|length| length.is_finite()).ok_or_else(|| with_decimal_hint(text, example))
-}
-
 /// A length, or an area, in the units of the coordinates, or in metres where it has a unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Length {
@@ -124,6 +111,18 @@ pub(crate) struct Length {
 
 /// Units of lengths in metres; those of areas are their squares.
 const UNITS: [(&str, f64); 4] = [("km", 1e3), ("cm", 1e-2), ("mm", 1e-3), ("m", 1.0)];
+
+/// A length above 0 in the unit of the coordinates.
+pub(crate) fn length(text: &str) -> Result<f64, String> {
+    match in_units(text, 1) {
+        Some(Length { value, is_metric: false }) => Ok(value),
+        Some(_) => {
+            Err("give a length in the unit of the coordinates, without its name, such as 0.5"
+                .to_owned())
+        }
+        None => Err(with_decimal_hint(text, "give a length above 0, such as 0.5")),
+    }
+}
 
 /// A length such as `0.5` or `2km`.
 pub(crate) fn length_with_unit(text: &str) -> Result<Length, String> {
