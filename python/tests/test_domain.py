@@ -28,6 +28,26 @@ def test_the_trade_off_ends_at_delaunay():
     assert [point.max_degree for point in points] == [4, 5]
     assert points[-1].share_of_delaunay == pytest.approx(1.0)
     assert points[0].mesh.max_degree == 4
+    assert points[0].mesh.least_max_degree == 4 and all(point.is_proven for point in points)
+
+
+def test_a_trade_off_round_holes_is_proven():
+    squares = [[(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)] for x, y in [(1, 1), (4, 4), (4, 1)]]
+    domain = mindeg.polygon([(0, 0), (6, 0), (6, 6), (0, 6)], holes=squares, intervals=1)
+    assert (domain.degree().at_least, domain.degree().reached) == (6, 6)
+    first = domain.tradeoff()[0]
+    assert (first.max_degree, first.is_proven, first.mesh.found_by) == (6, True, "search")
+    assert first.mesh.least_max_degree == 6
+    assert [change.max_degree for change in domain.suggest()] == [5]
+
+
+def test_a_trade_off_of_too_many_triangles_is_not_proven():
+    angles = np.linspace(0, 2 * np.pi, 301)[:-1]
+    radii = 100 - 0.01 * (np.arange(300) % 2)
+    ring = np.column_stack([radii * np.cos(angles), radii * np.sin(angles)])
+    first = mindeg.polygon(ring, holes=[[(1, 1), (2, 1), (1.5, 2)]], intervals=1).tradeoff()[0]
+    assert (first.is_proven, first.mesh.found_by) == (False, "windows")
+    assert first.mesh.least_max_degree is None
 
 
 def test_suggestions_lower_the_degree():

@@ -35,6 +35,8 @@ pub(crate) struct TradeOffPoint {
     pub(crate) min_angle: f64,
     /// The share of Delaunay's minimum angle, 0 to 1.
     pub(crate) share_of_delaunay: f64,
+    /// Whether no mesh within the limit has a larger minimum angle; if not proven, one may.
+    pub(crate) is_proven: bool,
     /// The mesh.
     pub(crate) mesh: Py<Mesh>,
 }

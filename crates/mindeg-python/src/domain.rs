@@ -74,17 +74,19 @@ impl Domain {
     /// The best mesh for every maximum degree, from the least one on.
     fn tradeoff(&self, py: Python<'_>) -> PyResult<Vec<TradeOffPoint>> {
         let trade_off = done(py, |progress| exact::trade_off(&self.inner, progress))?;
-        let least = trade_off.meshes().first().map(|least| least.max_degree);
+        let least = trade_off.meshes().first().filter(|_| trade_off.is_least_proven());
+        let least = least.map(|least| least.max_degree);
         let point = |exact: &exact::ExactMesh| {
             let facts = Facts {
                 least_max_degree: least,
-                found_by: Some("search".to_owned()),
+                found_by: Some(if exact.is_proven { "search" } else { "windows" }.to_owned()),
                 report: None,
             };
             Ok(TradeOffPoint {
                 max_degree: exact.max_degree,
                 min_angle: exact.min_angle,
                 share_of_delaunay: trade_off.share(exact),
+                is_proven: exact.is_proven,
                 mesh: Py::new(py, Mesh::new(exact.mesh.clone(), facts))?,
             })
         };

@@ -24,7 +24,7 @@ pub struct TradeOff {
     domain: Domain,
     meshes: Vec<ExactMesh>,
     delaunay_min_angle: f64,
-    is_exact: bool,
+    is_least_proven: bool,
 }
 
 impl TradeOff {
@@ -35,8 +35,7 @@ impl TradeOff {
         delaunay_min_angle: f64,
         is_least_proven: bool,
     ) -> Self {
-        let is_exact = is_least_proven && meshes.iter().all(|exact| exact.is_proven);
-        Self { domain: domain.clone(), meshes, delaunay_min_angle, is_exact }
+        Self { domain: domain.clone(), meshes, delaunay_min_angle, is_least_proven }
     }
 
     /// The domain.
@@ -60,7 +59,12 @@ impl TradeOff {
     /// Whether the least degree and the angles are proven to be the best. If not, some are what windows and
     /// searches reach: too many vertices see each other.
     pub fn is_exact(&self) -> bool {
-        self.is_exact
+        self.is_least_proven && self.meshes.iter().all(|exact| exact.is_proven)
+    }
+
+    /// Whether no mesh has a smaller maximum degree than the first.
+    pub fn is_least_proven(&self) -> bool {
+        self.is_least_proven
     }
 
     /// How much of that a mesh has, 0 to 1; 1 where only rounding keeps them apart.
