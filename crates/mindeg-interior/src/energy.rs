@@ -4,7 +4,7 @@ use crate::array_mesh::ArrayMesh;
 use crate::goal::{Goal, Weights};
 use crate::manifold::Manifold;
 use crate::space::Vector;
-use crate::triangle::{SQRT_3, distortion, doubled_area, min_angle};
+use crate::triangle::{SQRT_3, distortion, doubled_area, has_sine, min_angle};
 
 /// How far below its limit a corner's angle may stay, as a share.
 const NEAR_LIMIT: f64 = 0.97;
@@ -40,7 +40,7 @@ impl Weights {
     }
 
     /// The cost of a triangle: shape, size, and what its minimum angle lacks; with the angle, which is not
-    /// told where shares count.
+    /// told where it is above the floor, or where shares count.
     pub(crate) fn triangle<S: Manifold>(&self, mesh: &ArrayMesh<S>, triangle: u32) -> (f64, f64) {
         let corners = mesh.corners(triangle);
         let bend = S::bend(mesh, triangle);
@@ -54,10 +54,15 @@ impl Weights {
         let vertices = mesh.triangles[triangle as usize].vertices;
         let size = vertices.iter().map(|v| mesh.vertices[*v as usize].size).sum::<f64>() / 3.0;
         let growth = libm::log(doubled_area(corners) / (SQRT_3 / 2.0 * size * size));
+        let squared = shape * shape;
+        let cost = squared * squared - 1.0 + 0.3 * growth * growth + bend;
+        // Most angles are large enough: no trigonometry.
+        if has_sine(corners, self.floor_sine) {
+            return (cost, 180.0);
+        }
         let angle = min_angle(corners);
         let lack = (self.wanted_angle(mesh, triangle) - angle).max(0.0) / 5.0;
-        let squared = shape * shape;
-        (squared * squared - 1.0 + 0.3 * growth * growth + self.angle * lack * lack + bend, angle)
+        (cost + self.angle * lack * lack, angle)
     }
 
     /// The sine of the angle that a triangle should have.

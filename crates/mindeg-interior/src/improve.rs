@@ -1,6 +1,7 @@
 //! The optimiser alone, on any planar triangle mesh.
 
 use crate::array_mesh::{ArrayMesh, Kind, NONE, Vertex};
+use crate::breaklines::Breaklines;
 use crate::finish::finish;
 use crate::generate::{compact, end_of_start, end_of_try};
 use crate::goal::{Weights, goals};
@@ -10,8 +11,10 @@ use crate::optimise::{Pairs, optimise};
 use crate::options::{InteriorError, MAX_POINTS, Options, is_usable};
 use crate::places::mend_places;
 use crate::report::{InteriorReport, Violation};
+use crate::size::SizeField;
 use crate::stage::Stage;
 use crate::star::Stars;
+use crate::start::Start;
 use crate::triangle::{SQRT_3, doubled_area};
 use crate::verdict::{check_target, floor, is_enough, rank};
 use glam::DVec2;
@@ -45,7 +48,8 @@ pub struct Improved {
 
 /// Improves a planar triangle mesh: its boundary stays, degrees and angles get nearer to what is wanted.
 ///
-/// Size options are not used: sizes are as they are. The result is never worse than the input: it has no
+/// Size options are not used: sizes are as they are. A mesh without points inside that may move is also filled anew, by the
+/// sizes of its boundary. The result is never worse than the input: it has no
 /// more violations and, with equally many, no smaller minimum angle up to the target (or the other way
 /// round with [`Prefer::Angle`](crate::Prefer::Angle)). Points without triangles stay.
 ///
@@ -68,13 +72,19 @@ pub fn improve(
     let mut best: Option<Improved> = None;
     let mut stage = Stage::new(progress, "improving");
     let count = points.len() as f64;
-    for (index, pairs) in [false, true].into_iter().enumerate() {
-        let mut mesh = start.mesh.clone();
+    for (index, (pairs, is_anew)) in
+        [(false, false), (true, false), (true, true)].into_iter().enumerate()
+    {
+        let mesh = match is_anew {
+            true => start.begun_anew(floor(options), options, &mut stage)?,
+            false => Some(start.mesh.clone()),
+        };
+        let Some(mut mesh) = mesh else { break };
         let weights = if pairs { Weights::pairs } else { Weights::single };
-        let end = end_of_try(index, 2, count);
+        let end = end_of_try(index, 3, count);
         stage.section(end_of_start(&stage, end, count));
         let floor = floor(options);
-        let all = Pairs { most: usize::MAX, ..Pairs::FOR_A_TRY };
+        let all = Pairs { firsts: 12, most: usize::MAX, ..Pairs::FOR_A_TRY };
         optimise(&mut mesh, &weights(options, floor), pairs.then_some(all), &mut stage)?;
         stage.section(end);
         if options.wanted.prefer() == Prefer::Degree {
@@ -116,6 +126,9 @@ pub fn improve(
 struct Input {
     mesh: ArrayMesh,
     boundary: PlanarBoundary,
+    lines: Breaklines,
+    /// The index in the input of the boundary's vertices, then of those of lines.
+    names: Vec<u32>,
     stars: Stars,
     limits: Limits,
 }
@@ -166,7 +179,44 @@ impl Input {
         name(&mut limits.any_degree.vertex);
         name(&mut limits.with_degree_limit.vertex);
         limits.tent.iter_mut().for_each(|tent| tent.edges.iter_mut().for_each(name));
-        Ok(Self { mesh, boundary: outline, stars, limits })
+        Ok(Self { mesh, boundary: outline, lines, names, stars, limits })
+    }
+
+    /// A mesh of the same boundary and lines with points of its own inside, if the input has none that may move: nothing
+    /// tells which sizes are wanted there, and operations alone seldom find a way from triangles that long.
+    fn begun_anew(
+        &self,
+        floor: f64,
+        options: &Options,
+        stage: &mut Stage<'_>,
+    ) -> Result<Option<ArrayMesh>, InteriorError> {
+        if self.mesh.vertices.iter().any(|vertex| vertex.kind == Kind::Free) {
+            return Ok(None);
+        }
+        let field = SizeField::new(&self.boundary, &[], options.wanted.growth(), &[], &[]);
+        let start = Start {
+            outline: &self.boundary,
+            stars: &self.stars,
+            goals: &self.mesh.goals,
+            breaklines: &self.lines,
+            field: &field,
+        };
+        let packed = match start.mesh(0.75, floor, options.wanted.max_points(), None, stage) {
+            Err(InteriorError::Cancelled(cancelled)) => return Err(cancelled.into()),
+            Err(_) => return Ok(None),
+            Ok(packed) => packed,
+        };
+        let (mut vertices, mut names) = (self.mesh.vertices.clone(), self.names.clone());
+        for vertex in &packed.vertices[names.len()..] {
+            names.push(vertices.len() as u32);
+            vertices.push(*vertex);
+        }
+        vertices.iter_mut().for_each(|v| (v.anchor, v.triangles) = (NONE, 0));
+        let name = |v: u32| names[v as usize];
+        let triangles: Vec<[u32; 3]> =
+            packed.triangles.iter().map(|t| t.vertices.map(name)).collect();
+        let locked: Vec<[u32; 2]> = self.lines.edges.iter().map(|e| e.map(name)).collect();
+        Ok(ArrayMesh::new(vertices, &triangles, self.mesh.goals.clone(), &locked).ok())
     }
 
     fn measure(

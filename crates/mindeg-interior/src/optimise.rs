@@ -46,18 +46,27 @@ pub(crate) fn optimise<S: Manifold>(
     polish_all(mesh, weights, &mut sweeper, stage)
 }
 
-/// The same without moving the vertices of small angles.
-pub(crate) fn smooth_and_mend<S: Manifold>(
+/// Moves the vertices of a mesh as it was packed.
+pub(crate) fn smooth_packed<S: Manifold>(
     mesh: &mut ArrayMesh<S>,
-    weights: &Weights,
-    mut pairs: Option<&mut Pairs>,
     sweeper: &mut Sweeper<S::Vector>,
     stage: &mut Stage<'_>,
 ) -> Result<(), Cancelled> {
     stage.reach(0.3)?;
     sweeper.run(mesh, Power::Two, 10, stage)?;
     stage.reach(0.5)?;
-    sweeper.run(mesh, Power::Four, 5, stage)?;
+    sweeper.run(mesh, Power::Four, 5, stage)
+}
+
+/// Smooths, and does operations as long as they help.
+fn smooth_and_mend<S: Manifold>(
+    mesh: &mut ArrayMesh<S>,
+    weights: &Weights,
+    mut pairs: Option<&mut Pairs>,
+    sweeper: &mut Sweeper<S::Vector>,
+    stage: &mut Stage<'_>,
+) -> Result<(), Cancelled> {
+    smooth_packed(mesh, sweeper, stage)?;
     let mut failed = Failed::new();
     for round in 0..ROUNDS {
         failed.look(mesh);
@@ -225,7 +234,7 @@ pub(crate) struct Pairs {
 
 impl Pairs {
     /// A whole mesh, from one start.
-    pub(crate) const FOR_A_TRY: Self = Self { vertices: 300, firsts: 12, trials: 0, most: 3000 };
+    pub(crate) const FOR_A_TRY: Self = Self { vertices: 300, firsts: 10, trials: 0, most: 2500 };
 }
 
 /// The same with two operations in a row, the first of which may be worse.

@@ -7,7 +7,7 @@ use crate::chains::chains;
 use crate::disc::Disc;
 use crate::failed::Failed;
 use crate::goal::{Goal, Weights};
-use crate::optimise::{Pairs, pairs_of_operations, smooth_and_mend};
+use crate::optimise::{Pairs, pairs_of_operations, smooth_packed};
 use crate::options::Options;
 use crate::restart::Restart;
 use crate::smooth::Sweeper;
@@ -32,7 +32,7 @@ const MANY_TRIANGLES: usize = 60_000;
 /// Trials of operations for degrees, likewise.
 const TRIALS_FOR_DEGREES: [usize; 2] = [12_000, 1];
 /// At most so many times as much is tried where a degree is out of its range, if so many trials are left for each.
-const MOST_FOR_BROKEN: u64 = 4;
+const MOST_FOR_BROKEN: u64 = 2;
 const TRIALS_FOR_BROKEN: usize = 1200;
 /// If fewer are left for each, degrees are mended by chains of operations alone, as far as these get.
 const FEW_FOR_BROKEN: usize = 300;
@@ -221,7 +221,6 @@ impl Work<'_> {
         stage: &Stage<'_>,
     ) -> Result<Option<ArrayMesh>, Cancelled> {
         let weights = &self.weights;
-        let single = Weights::single(self.options, weights.floor);
         let mut best = Best { before, found: None };
         let mut stage = stage.within();
         // Chains are cheap and mend nearly everything, but cost angles: where trials suffice, they come last.
@@ -241,23 +240,22 @@ impl Work<'_> {
         // Vertices of the rim come last.
         let near = disc.mesh.vertices.iter().filter(|v| v.kind == Kind::Free).count().max(1);
         let mut starts = Restart::new(&disc.mesh, self.options, weights).starts();
-        for turn in 0..2 * effort {
+        for turn in 0..effort {
             let mut random = Random::new(effort << 32 | turn);
             if is_done || *left == 0 {
                 break;
             }
-            if turn < effort {
-                let mut mesh = best.mesh().unwrap_or(&disc.mesh).clone();
-                let trials = anneal(&mut mesh, weights, near, STEPS, &mut random);
-                *left = left.saturating_sub(trials);
-                settle_all(&mut mesh, weights);
-                let worth = self.worth(&mesh);
-                if best.offer(mesh, worth) {
-                    break;
-                }
+            let mut mesh = best.mesh().unwrap_or(&disc.mesh).clone();
+            let trials = anneal(&mut mesh, weights, near, STEPS, &mut random);
+            *left = left.saturating_sub(trials);
+            settle_all(&mut mesh, weights);
+            let worth = self.worth(&mesh);
+            if best.offer(mesh, worth) {
+                break;
             }
+            // Single operations from there took most of the time at places, and brought nothing that these do not.
             if let Some(mut mesh) = starts.next(&mut stage)? {
-                smooth_and_mend(&mut mesh, &single, None, &mut Sweeper::new(), &mut stage)?;
+                smooth_packed(&mut mesh, &mut Sweeper::new(), &mut stage)?;
                 // The cost of packing, triangulating and smoothing, in trials.
                 *left = left.saturating_sub(mesh.triangles.len() / 2);
                 if effort >= MANY {

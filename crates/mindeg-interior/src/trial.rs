@@ -16,7 +16,10 @@ pub(crate) struct Bench<'a, S: Manifold = Plane> {
     pub(crate) cavity: Cavity<S>,
     ring: Ring<S::Vector>,
     star: Vec<u32>,
+    /// The triangles that the last cost is of, and the cost of degrees: all of it, and the part for hard violations.
     patch: Vec<u32>,
+    degrees: f64,
+    hard: f64,
     /// When a triangle was last put into a patch.
     seen: Vec<u32>,
     round: u32,
@@ -52,12 +55,14 @@ impl<'a, S: Manifold> Bench<'a, S> {
             ring: Ring::default(),
             star: Vec::new(),
             patch: Vec::new(),
+            degrees: 0.0,
+            hard: 0.0,
             seen,
             round: 0,
         }
     }
 
-    /// How often operations have been tried.
+    /// How often operations have been tried; those that end before anything is costly count by half.
     pub(crate) fn trials(&self) -> usize {
         self.round as usize / 2
     }
@@ -67,7 +72,7 @@ impl<'a, S: Manifold> Bench<'a, S> {
         self.round += 1;
         self.seen.resize(self.mesh.triangles.len().max(self.seen.len()), 0);
         self.patch.clear();
-        let mut cost = Cost { energy: 0.0, min_angle: 180.0, hard: 0.0 };
+        (self.degrees, self.hard) = (0.0, 0.0);
         for t in further {
             put(&mut self.patch, &mut self.seen, self.round, t);
         }
@@ -77,8 +82,8 @@ impl<'a, S: Manifold> Bench<'a, S> {
                 continue;
             }
             let (all, hard) = self.weights.vertex(self.mesh, *v);
-            cost.energy += all;
-            cost.hard += hard;
+            self.degrees += all;
+            self.hard += hard;
             if vertex.kind.is_movable() {
                 self.mesh.star(*v, &mut self.star);
                 for t in &self.star {
@@ -86,6 +91,12 @@ impl<'a, S: Manifold> Bench<'a, S> {
                 }
             }
         }
+        self.cost_after_moves()
+    }
+
+    /// The cost of the vertices and triangles of the last one, which may have moved since.
+    fn cost_after_moves(&self) -> Cost {
+        let mut cost = Cost { energy: self.degrees, min_angle: 180.0, hard: self.hard };
         for t in &self.patch {
             let (energy, angle) = self.weights.triangle(self.mesh, *t);
             cost.energy += energy;
@@ -152,11 +163,10 @@ impl<'a, S: Manifold> Bench<'a, S> {
                 }
             }
         }
+        let mut after = self.cost(&cavity.vertices, added.clone());
         if self.weights.by_share {
             // Angles settle where they are in doubt, not where much would be lost even so.
-            let smoothed = self.cost(&cavity.vertices, added.clone());
-            let left = smoothed.energy - smoothed.hard;
-            if before.energy - smoothed.hard - SETTLED * left < needed {
+            if before.energy - after.hard - SETTLED * (after.energy - after.hard) < needed {
                 return None;
             }
             for v in &cavity.vertices {
@@ -165,8 +175,12 @@ impl<'a, S: Manifold> Bench<'a, S> {
                     settle(self.mesh, *v, &self.weights, 0.03, &mut self.ring);
                 }
             }
+            // Angles decide some degrees in space.
+            after = match is_counted {
+                true => self.cost_after_moves(),
+                false => self.cost(&cavity.vertices, added),
+            };
         }
-        let after = self.cost(&cavity.vertices, added);
         Some(Effect { before, after })
     }
 
