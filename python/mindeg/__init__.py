@@ -31,6 +31,7 @@ from ._mindeg import (
     inspect,
     read,
     remesh,
+    stitch,
     verify,
 )
 from ._progress import progress
@@ -62,6 +63,7 @@ __all__ = [
     "read",
     "rectangle",
     "remesh",
+    "stitch",
     "verify",
 ]
 

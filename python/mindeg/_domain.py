@@ -87,6 +87,27 @@ class Domain(_mindeg._Domain):
             wanted["sizes"] = given_sizes(wanted["sizes"], self.points)
         return self._mesh(wish(interior, goal, wanted))
 
+    @shows_its_options()
+    def condition(
+        self,
+        *,
+        limit: float = 25.0,
+        within: float | None = None,
+        size: float | None = None,
+        growth: float | None = None,
+        least_island: float | None = None,
+        keep: Sequence[str] = (),
+    ) -> tuple[Domain, dict[str, Any]]:
+        """The least change of the boundary that lets a mesh with points inside have no angle below ``limit`` degrees.
+
+        The boundary moves by ``within`` at most, an eighth of ``size`` without it; ``size`` is the length of edges, ``keep``
+        names sides that stay. A border of two regions changes once, for both. Gives the new domain, and the changes as ``mindeg
+        condition --json`` has them.
+        """
+        keep = [keep] if isinstance(keep, str) else list(keep)
+        text, changes = self._condition(limit, (within, size, growth, least_island), keep)
+        return _mindeg._Domain.__new__(Domain, text), changes
+
     def compare(self) -> dict[str, Any]:
         """Delaunay, ear clipping and a fan beside mindeg: a dict, as ``mindeg compare`` writes it."""
         return json.loads(self._compare())

@@ -19,7 +19,7 @@ WIDTH = 100
 
 FUNCTIONS = {
     "Domains": ["rectangle", "polygon"],
-    "Meshes": ["mesh", "read", "improve", "remesh", "fill", "bridge"],
+    "Meshes": ["mesh", "read", "improve", "remesh", "fill", "bridge", "stitch"],
     "Questions": ["inspect", "verify"],
     "Loops in space": ["fill_loop", "bridge_loops"],
     "Long work": ["progress"],

@@ -102,3 +102,30 @@ def test_loops_of_one_mesh_or_of_two_are_joined():
     assert mindeg.bridge(both, through=(9, 0)).report["from"]["vertices"] == 5
     with pytest.raises(ValueError, match="the mesh has no boundary loop through vertex 50"):
         mindeg.bridge(both, through=(0, 50))
+
+
+def test_a_boundary_is_conditioned():
+    strait = mindeg.Domain([[0, 0], [10, 0], [10, 0.5], [0, 0.5]])
+    domain, changes = strait.condition()
+    assert isinstance(domain, mindeg.Domain) and changes["is_reached"] and changes["moved"] == 0
+    assert len(domain.points) == changes["points"] > 4
+    assert domain.mesh(interior=True).report["min_angle"] > 25
+    step = mindeg.Domain([[0, 0], [5, 0], [5, 0.01], [10, 0.01], [10, 10], [0, 10]])
+    assert step.condition(within=0.02)[1]["dropped"] == 1
+    assert step.condition(size=2, limit=20)[1]["moved"] <= 0.25
+    with pytest.raises(ValueError, match='no side "nix" to keep'):
+        strait.condition(keep="nix")
+    with pytest.raises(ValueError, match="at most 40"):
+        strait.condition(limit=50)
+
+
+def test_meshes_are_stitched():
+    square = lambda x: mindeg.polygon([(x, 0), (x + 3, 0), (x + 3, 3), (x, 3)], size=0.5).mesh(interior=True)
+    meshes = [square(0), square(4)]
+    area = mindeg.Domain([[2.9, 0.3], [4.1, 0.3], [4.1, 2.7], [2.9, 2.7]])
+    both = mindeg.stitch(meshes, within=area)
+    assert both.report["new_triangles"] == len(both.groups["stitch"]) > 5
+    assert (both.triangles[: len(meshes[0].triangles)] == meshes[0].triangles).all()
+    assert mindeg.inspect(both)["boundary_loops"] == 1 and both.report["outside_5_to_7"] == []
+    with pytest.raises(ValueError, match="stays apart"):
+        mindeg.stitch(meshes, within=mindeg.Domain([[2.9, 0.3], [3.5, 0.3], [3.5, 2.7], [2.9, 2.7]]))

@@ -44,6 +44,13 @@ impl Default for BoundaryDemands {
 }
 
 impl BoundaryDemands {
+    /// Edges of about one length that change gradually; the boundary moves by an eighth of it at most, less than a mesh of that
+    /// length shows.
+    #[must_use]
+    pub fn of_size(size: f64) -> Self {
+        Self { size: Some(size), within: size / 8.0, growth: 0.4, ..Self::default() }
+    }
+
     pub(crate) fn check(&self) -> Result<(), ConditionError> {
         let is_length = |length: f64| length.is_finite() && length >= 0.0;
         if !(self.angle > 0.0 && self.angle <= 40.0) {

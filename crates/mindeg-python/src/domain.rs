@@ -2,12 +2,15 @@
 
 use crate::answers::{Degree, Suggestion, TradeOffPoint};
 use crate::arrays;
+use crate::dict::dict;
 use crate::mesh::{Facts, Mesh, hash_of};
 use crate::wish::Wish;
 use crate::work::{done, value_error};
 use mindeg::changes::count_changes;
 use mindeg::glam::DVec3;
+use mindeg::interior::{BoundaryDemands, condition};
 use mindeg::{Domain as Inner, DomainJsonError, Positions, exact};
+use mindeg_answers::condition::ConditionAnswer;
 use mindeg_mesh::filled;
 use numpy::PyArray2;
 use pyo3::prelude::*;
@@ -69,6 +72,29 @@ impl Domain {
     /// The mesh that is wished for; the package names the options.
     fn _mesh(&self, py: Python<'_>, wish: Wish<'_>) -> PyResult<Mesh> {
         wish.mesh_of(py, &self.inner)
+    }
+
+    /// The conditioned domain as JSON, and the changes; the package has the defaults.
+    fn _condition<'py>(
+        &self,
+        py: Python<'py>,
+        limit: f64,
+        given: [Option<f64>; 4],
+        keep: Vec<String>,
+    ) -> PyResult<(String, Bound<'py, PyAny>)> {
+        let [within, size, growth, least_island] = given;
+        let base = size.map_or_else(BoundaryDemands::default, BoundaryDemands::of_size);
+        let demands = BoundaryDemands {
+            angle: limit,
+            within: within.unwrap_or(base.within),
+            growth: growth.unwrap_or(base.growth),
+            least_hole: least_island.unwrap_or_default(),
+            ..base
+        };
+        let (new, conditioned) = done(py, |_| condition(&self.inner, &demands, &keep))?;
+        let json = new.to_json();
+        let answer = ConditionAnswer::of(std::slice::from_ref(&self.inner), &[new], &[conditioned]);
+        Ok((json, dict(py, &answer)?))
     }
 
     /// The best mesh for every maximum degree, from the least one on.

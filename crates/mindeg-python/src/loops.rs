@@ -1,10 +1,12 @@
 //! Loops in space: closing one, joining two; and those of whole meshes.
 
-use mindeg::Loops;
 use mindeg::bridge::bridge as joined;
 use mindeg::fill::{EXTRA_AREA, FIRST_LIMIT, FillOptions, fill as closed};
 use mindeg::glam::DVec3;
+use mindeg::stitch::stitch as stitched;
+use mindeg::{Loops, TriMesh};
 use mindeg_answers::loops::{BridgeAnswer, FillAnswer, LoopName, OpenLoop};
+use mindeg_answers::stitch::StitchAnswer;
 use mindeg_exact::{BridgeProblem, LoopLimit, LoopProblem, bridge_rings, fill_loop as filled};
 use numpy::PyArray2;
 use pyo3::prelude::*;
@@ -12,6 +14,7 @@ use pyo3::types::PyDict;
 
 use crate::arrays;
 use crate::dict::dict;
+use crate::domain::Domain;
 use crate::mesh::{Facts, Mesh, tri_mesh};
 use crate::work::{done, value_error};
 
@@ -169,6 +172,26 @@ pub(crate) fn bridge(
     let found = done(py, |progress| joined((first, &loops), both, [a, b], max_degree, progress))?;
     let [from, to] = names;
     let report = dict(py, &BridgeAnswer::of(&found, from, to))?.cast_into::<PyDict>()?;
+    Ok(Mesh::new(found.mesh, Facts { report: Some(report.unbind()), ..Facts::default() }))
+}
+
+/// Join meshes of the plane by a mesh of the gap between them: of what the area `within` has outside them.
+///
+/// The triangles of the meshes stay, with their names and depths, and degrees count across. `groups["stitch"]` of the result is
+/// the gap; `report` has the keys of `mindeg stitch --json`.
+#[pyfunction]
+#[pyo3(signature = (meshes, *, within))]
+pub(crate) fn stitch(
+    py: Python<'_>,
+    meshes: Vec<Bound<'_, Mesh>>,
+    within: &Bound<'_, Domain>,
+) -> PyResult<Mesh> {
+    let meshes: Vec<TriMesh> =
+        meshes.iter().map(|mesh| mesh.get().list()).collect::<PyResult<_>>()?;
+    let area = within.get().inner();
+    let wanted = area.interior().cloned().unwrap_or_default();
+    let found = done(py, |progress| stitched(&meshes, area, &wanted, progress))?;
+    let report = dict(py, &StitchAnswer::of(&found))?.cast_into::<PyDict>()?;
     Ok(Mesh::new(found.mesh, Facts { report: Some(report.unbind()), ..Facts::default() }))
 }
 

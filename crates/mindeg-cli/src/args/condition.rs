@@ -106,22 +106,17 @@ impl ChangeArguments {
         size: Option<Length>,
         growth: Option<f64>,
     ) -> BoundaryDemands {
-        let value = |length: Length| length.value;
+        let base =
+            size.map_or_else(BoundaryDemands::default, |it| BoundaryDemands::of_size(it.value));
         BoundaryDemands {
             angle,
-            within: self.within.map(value).or(size.map(|size| size.value * WITHIN)).unwrap_or(0.0),
-            size: size.map(value),
-            growth: growth.unwrap_or(size.map_or(0.0, |_| GROWTH)),
-            least_hole: self.least_island.map_or(0.0, value),
+            within: self.within.map_or(base.within, |it| it.value),
+            growth: growth.unwrap_or(base.growth),
+            least_hole: self.least_island.map_or(0.0, |it| it.value),
+            ..base
         }
     }
 }
-
-/// The growth of lengths where a length is given: at this one the search reaches the limits nearly everywhere.
-const GROWTH: f64 = 0.4;
-
-/// How far the boundary may move where only a length is given, as a share of it: less than a mesh of that length shows.
-const WITHIN: f64 = 0.125;
 
 /// An angle that a boundary can be asked for.
 pub(super) fn limit(text: &str) -> Result<f64, String> {
