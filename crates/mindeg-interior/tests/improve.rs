@@ -103,32 +103,6 @@ fn a_mesh_without_inner_points_gets_new_starts() {
     assert!(found.after.min_angle > 19.0, "{:?}", found.after);
 }
 
-/// Operations alone stopped far below what the boundary allows: their steps are small beside triangles that reach from rim
-/// to rim.
-#[test]
-fn triangles_from_rim_to_rim_are_no_trap() {
-    let place = |i: u32| {
-        let turn = f64::from(i) / 80.0 * std::f64::consts::TAU;
-        DVec2::new(6.0 * libm::cos(turn), 4.0 * libm::sin(turn))
-    };
-    let points: Vec<DVec2> = (0..80).map(place).collect();
-    // A zigzag from side to side, as meshes of least degree have.
-    let (mut low, mut high) = (0, 79);
-    let mut triangles = Vec::new();
-    while high - low > 1 {
-        if low <= 79 - high {
-            triangles.push([low, low + 1, high]);
-            low += 1;
-        } else {
-            triangles.push([low, high - 1, high]);
-            high -= 1;
-        }
-    }
-    let found = run(&(points, triangles), &Keep::default());
-    assert_eq!(found.after.violations, []);
-    assert!(found.after.min_angle > 34.0, "{:?}", found.after);
-}
-
 #[test]
 fn a_good_mesh_is_no_worse() {
     let good = run(&square(9, &scattered(90)), &Keep::default());
