@@ -12,6 +12,9 @@ use crate::triangle::{distortion, min_angle};
 use crate::verdict::enough;
 use mindeg_mesh::Cancelled;
 
+/// Angles may fall to this share of their local limits where quality gains by it, but the least of the mesh.
+const KEPT: f64 = 0.92;
+
 /// The angles that a mesh keeps.
 struct Kept {
     weights: Weights,
@@ -23,7 +26,8 @@ struct Kept {
 impl Kept {
     /// A triangle's minimum angle may fall to this, in degrees.
     fn angle(&self, mesh: &ArrayMesh, triangle: u32) -> f64 {
-        self.weights.local_limit(mesh, triangle).min(self.enough).max(self.least)
+        let limit = self.weights.local_limit(mesh, triangle).min(self.enough);
+        (KEPT * limit).max(self.least)
     }
 }
 
