@@ -16,19 +16,20 @@ pub(crate) struct Disc {
     triangles: Vec<u32>,
 }
 
-/// Discs with more do not grow further.
-const ENOUGH_TRIANGLES: usize = 200;
+/// Discs with more do not grow further, as a rule.
+pub(crate) const ENOUGH_TRIANGLES: usize = 200;
 /// Larger discs are left alone.
 const MOST_TRIANGLES: usize = 800;
 
 impl Disc {
-    /// Copies the triangles within so many rings round a vertex, and as many more as make one fan of those at
+    /// Copies the triangles within so many rings round a vertex, until they are `enough`, and as many more as make one fan of those at
     /// each vertex. Vertices on the rim stay, and may have what their triangles outside leave of their degree.
     pub(crate) fn cut(
         whole: &ArrayMesh,
         weights: &Weights,
         center: u32,
         rings: usize,
+        enough: usize,
     ) -> Option<Self> {
         let mut growing = Growing { vertices: vec![center], ..Growing::default() };
         growing.index.insert(center, 0);
@@ -39,7 +40,7 @@ impl Disc {
                 growing.add_star(whole, growing.vertices[at]);
             }
             inside = end;
-            if growing.triangles.len() > ENOUGH_TRIANGLES {
+            if growing.triangles.len() > enough {
                 break;
             }
         }
@@ -204,7 +205,7 @@ mod tests {
         for center in 0..64 {
             for rings in 1..5 {
                 let mut mesh = start.clone();
-                let disc = Disc::cut(&mesh, &weights, center, rings).unwrap();
+                let disc = Disc::cut(&mesh, &weights, center, rings, ENOUGH_TRIANGLES).unwrap();
                 // Degrees count with the triangles outside.
                 for (v, name) in (0..).zip(&disc.names) {
                     let [small, whole] = [(&disc.mesh, v), (&mesh, *name)];

@@ -4,11 +4,12 @@
 use crate::anneal::{anneal, settle_all};
 use crate::array_mesh::{ArrayMesh, Kind};
 use crate::chains::chains;
-use crate::disc::Disc;
+use crate::disc::{Disc, ENOUGH_TRIANGLES};
 use crate::failed::Failed;
 use crate::goal::{Goal, Weights};
 use crate::optimise::{Pairs, pairs_of_operations, smooth_packed};
 use crate::options::Options;
+use crate::redraw::{Turn, broken, redraw};
 use crate::restart::Restart;
 use crate::smooth::Sweeper;
 use crate::stage::Stage;
@@ -34,7 +35,7 @@ const TRIALS_FOR_DEGREES: [usize; 2] = [12_000, 1];
 /// At most so many times as much is tried where a degree is out of its range, if so many trials are left for each.
 const MOST_FOR_BROKEN: u64 = 2;
 const TRIALS_FOR_BROKEN: usize = 1200;
-/// If fewer are left for each, degrees are mended by chains of operations alone, as far as these get.
+/// If fewer are left for each, discs are first drawn anew, which takes less time for each and costs more angles.
 const FEW_FOR_BROKEN: usize = 300;
 /// From this effort on, new starts get pairs of operations, too.
 const MANY: u64 = 4;
@@ -64,22 +65,23 @@ pub(crate) fn mend_places(
     let angles = TRIALS[0] + (TRIALS[1] * triangles).min(MANY_TRIALS + more);
     let degrees = TRIALS_FOR_DEGREES[0] + TRIALS_FOR_DEGREES[1] * triangles;
     let mut left = [(share * angles as f64) as usize, degrees];
+    let count = |mesh: &ArrayMesh| broken(mesh, &work.weights).count();
+    if left[1] < FEW_FOR_BROKEN * count(mesh) {
+        redraw(mesh, &work.weights, options, Turn::First, stage)?;
+        left[1] = left[1].min(TRIALS_FOR_BROKEN * count(mesh));
+    }
     for pass in 0..PASSES {
         let places = work.places(mesh);
         if places.is_empty() {
             break;
         }
-        let broken = places.iter().filter(|v| work.weights.excess(mesh, **v) > 0).count();
+        let broken = count(mesh);
         let affordable = (left[1] / (TRIALS_FOR_BROKEN * broken.max(1))) as u64;
-        let haste = match affordable {
-            0 if left[1] < FEW_FOR_BROKEN * broken => Haste::Great,
-            0 => Haste::Some,
-            _ => Haste::None,
-        };
+        let is_hasty = affordable == 0;
         let affordable = affordable >> pass;
         let mut waiting = broken;
         // Later passes try more at fewer places.
-        let is_last = pass + 1 == PASSES || haste == Haste::Great;
+        let is_last = pass + 1 == PASSES;
         let kept = [0, if is_last { 0 } else { left[1] / 2 }];
         let of = places.len() as f64;
         for (index, vertex) in places.into_iter().enumerate() {
@@ -95,7 +97,9 @@ pub(crate) fn mend_places(
                 continue;
             }
             let rings = RINGS[pass as usize + usize::from(is_broken)];
-            let Some(disc) = Disc::cut(mesh, &work.weights, vertex, rings) else { continue };
+            let Some(disc) = Disc::cut(mesh, &work.weights, vertex, rings, ENOUGH_TRIANGLES) else {
+                continue;
+            };
             let before = work.worth(&disc.mesh);
             let kind = usize::from(before.excess > 0);
             // Each broken place leaves as much to those that wait for their turn.
@@ -108,7 +112,7 @@ pub(crate) fn mend_places(
             let mut unused = given;
             let most = if is_broken { MOST_FOR_BROKEN } else { 1 };
             let effort = (1 << pass) * affordable.clamp(1, most);
-            let better = work.mended(&disc, before, effort, haste, &mut unused, stage)?;
+            let better = work.mended(&disc, before, effort, is_hasty, &mut unused, stage)?;
             left[kind] -= given - unused;
             if let Some(better) = better {
                 disc.put_back(mesh, &better);
@@ -120,15 +124,7 @@ pub(crate) fn mend_places(
             }
         }
     }
-    Ok(())
-}
-
-/// How few trials are left for each degree that is out of its range.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Haste {
-    None,
-    Some,
-    Great,
+    redraw(mesh, &work.weights, options, Turn::Last, stage)
 }
 
 /// The input that all places share.
@@ -216,7 +212,7 @@ impl Work<'_> {
         disc: &Disc,
         before: Worth,
         effort: u64,
-        haste: Haste,
+        is_hasty: bool,
         left: &mut usize,
         stage: &Stage<'_>,
     ) -> Result<Option<ArrayMesh>, Cancelled> {
@@ -224,12 +220,10 @@ impl Work<'_> {
         let mut best = Best { before, found: None };
         let mut stage = stage.within();
         // Chains are cheap and mend nearly everything, but cost angles: where trials suffice, they come last.
-        if haste > Haste::None {
-            self.mend_degrees(&disc.mesh, &mut best, effort, haste, left);
+        if is_hasty {
+            self.mend_degrees(&disc.mesh, &mut best, effort, left);
         }
-        let is_mended = effort == 1 || best.mesh().is_some();
-        let is_left = haste == Haste::Great && is_mended && best.before.excess > 0;
-        if best.is_done() || is_left {
+        if best.is_done() {
             return Ok(best.found.map(|best| best.1));
         }
         let mut mesh = best.mesh().unwrap_or(&disc.mesh).clone();
@@ -269,42 +263,28 @@ impl Work<'_> {
                 is_done = best.offer(mesh, worth);
             }
         }
-        if haste == Haste::None && best.mesh().is_none() {
-            self.mend_degrees(&disc.mesh, &mut best, effort, haste, left);
+        if !is_hasty && best.mesh().is_none() {
+            self.mend_degrees(&disc.mesh, &mut best, effort, left);
         }
         Ok(best.found.map(|best| best.1))
     }
 
-    /// Mends degrees by chains of operations: in great haste that of the vertex in the middle, by the best chain as it is.
-    fn mend_degrees(
-        &self,
-        disc: &ArrayMesh,
-        best: &mut Best,
-        effort: u64,
-        haste: Haste,
-        left: &mut usize,
-    ) {
+    /// Mends degrees by chains of operations.
+    fn mend_degrees(&self, disc: &ArrayMesh, best: &mut Best, effort: u64, left: &mut usize) {
         let (mut mesh, mut excess) = (disc.clone(), self.worth(disc).excess);
-        let is_hasty = haste == Haste::Great;
-        while excess > 0 && *left > 0 && !(is_hasty && self.weights.excess(&mesh, 0) == 0) {
+        while excess > 0 && *left > 0 {
             let mut least: Option<(Worth, ArrayMesh)> = None;
             for mut mesh in chains(&mesh, &self.weights, CHAIN * effort as usize, left) {
                 settle_all(&mut mesh, &self.weights);
-                if !is_hasty {
-                    let all = mesh.vertices.len();
-                    let mut random = Random::new(0);
-                    let steps = STEPS_AFTERWARDS;
-                    let trials = anneal(&mut mesh, &self.weights, all, steps, &mut random);
-                    *left = left.saturating_sub(trials);
-                    settle_all(&mut mesh, &self.weights);
-                }
+                let all = mesh.vertices.len();
+                let (steps, mut random) = (STEPS_AFTERWARDS, Random::new(0));
+                let trials = anneal(&mut mesh, &self.weights, all, steps, &mut random);
+                *left = left.saturating_sub(trials);
+                settle_all(&mut mesh, &self.weights);
                 let worth = self.worth(&mesh);
                 let is_better = |least: &(Worth, _)| worth.is_better(&least.0);
                 if worth.excess < excess && least.as_ref().is_none_or(is_better) {
                     least = Some((worth, mesh));
-                    if is_hasty {
-                        break;
-                    }
                 }
             }
             let Some((worth, better)) = least else { break };
@@ -364,41 +344,5 @@ mod tests {
         let alive = (0..).zip(&mesh.triangles).filter(|(_, t)| t.is_alive());
         let least = alive.map(|(t, _)| crate::triangle::min_angle(mesh.corners(t)));
         assert!(least.fold(90.0, f64::min) > 30.0);
-    }
-
-    #[test]
-    fn in_great_haste_the_vertex_in_the_middle_is_mended_by_a_chain() {
-        let options = Options::default();
-        let weights = Weights { interior: 6..=6, ..Weights::local(&options, 36.0) };
-        let mut mesh = grid(8);
-        mesh.goals.push(Goal { least: 1, triangles: 5, ..weights.goal_inside() });
-        for vertex in mesh.vertices.iter_mut().filter(|vertex| vertex.kind == Kind::Boundary) {
-            vertex.goal = 0;
-        }
-        // The flip of an edge far from the boundary.
-        let cell = 2 * (4 * 8 + 4) as u32;
-        let [one, other] = [cell, cell + 1].map(|t| mesh.triangles[t as usize].vertices);
-        let apart =
-            |own: [u32; 3], of: [u32; 3]| own.into_iter().find(|v| !of.contains(v)).unwrap();
-        let (c, d) = (apart(one, other), apart(other, one));
-        let at = one.iter().position(|v| *v == c).unwrap();
-        let (a, b) = (one[(at + 1) % 3], one[(at + 2) % 3]);
-        let mut filling = crate::filling::Filling::default();
-        [[c, a, d], [c, d, b]].into_iter().for_each(|t| filling.push(t, ()));
-        mesh.replace(&[cell, cell + 1], &filling);
-        let work = Work { options: &options, enough: 35.0, enough_sine: 0.5, weights };
-        let used = [Haste::Great, Haste::Some].map(|haste| {
-            let disc = Disc::cut(&mesh, &work.weights, a, 4).unwrap();
-            let before = work.worth(&disc.mesh);
-            assert_eq!(before.excess, 4);
-            let (mut best, mut left) = (Best { before, found: None }, 5000);
-            work.mend_degrees(&disc.mesh, &mut best, 1, haste, &mut left);
-            let (worth, mended) = best.found.unwrap();
-            assert_eq!(work.weights.excess(&mended, 0), 0);
-            assert!(worth.excess < 4);
-            5000 - left
-        });
-        // The random operations after a chain are left out.
-        assert!(used[0] < used[1], "{used:?}");
     }
 }

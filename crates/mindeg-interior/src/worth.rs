@@ -72,8 +72,12 @@ impl Worth {
 
     /// True if neither the least share nor the least angle is smaller.
     fn keeps_angles(&self, before: &Self) -> bool {
-        let least = |worth: &Self| worth.shares.first().copied().unwrap_or(1.0);
-        least(self) >= least(before).min(GOOD) - 1e-9 && self.angle >= before.angle - 1e-9
+        self.least() >= before.least().min(GOOD) - 1e-9 && self.angle >= before.angle - 1e-9
+    }
+
+    /// The least share of a local limit.
+    pub(crate) fn least(&self) -> f64 {
+        self.shares.first().copied().unwrap_or(1.0)
     }
 
     pub(crate) fn is_good(&self) -> bool {
