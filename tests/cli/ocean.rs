@@ -255,3 +255,30 @@ fn kinds_of_lines_in_geojson_reach_the_mesh_and_come_back() {
     assert!(told.contains(&[&json!("strait"), &json!("open")]), "{told:?}");
     assert!(told.contains(&[&json!("rock"), &json!("island")]), "{told:?}");
 }
+
+#[test]
+fn lines_inside_are_no_boundaries_of_an_ocean_model() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let grid = folder.path().join("two.14").display().to_string();
+    let path =
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/outlines/two-materials.geojson");
+    let run = mindeg(["mesh", &path.display().to_string(), "--interior", "-o", &grid]);
+    let told = "two.14 leaves out lines inside, since the format has boundaries alone: ";
+    let words = format!("{}{}", String::from_utf8_lossy(&run.output), run.errors);
+    assert!(words.contains(told), "{words}");
+    let grid = fort14(Path::new(&grid));
+    let beside = |a: usize, b: usize| {
+        grid.triangles.iter().filter(|t| t.contains(&a) && t.contains(&b)).count()
+    };
+    let mut edges = 0;
+    for (kind, nodes) in &grid.closed {
+        let ring = nodes.iter().chain(nodes.first().filter(|_| *kind == 1)).copied();
+        for ends in ring.collect::<Vec<_>>().windows(2) {
+            assert_eq!(beside(ends[0], ends[1]), 1);
+            edges += 1;
+        }
+    }
+    // All edges of the boundary are there.
+    let sides = grid.triangles.iter().flat_map(|t| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]]);
+    assert_eq!(sides.filter(|[a, b]| beside(*a, *b) == 1).count(), edges);
+}

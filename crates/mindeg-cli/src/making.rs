@@ -20,8 +20,8 @@ use std::path::{Path, PathBuf};
 pub(crate) struct Making {
     targets: Targets<'static>,
     bar: Bar,
-    /// A sentence on the degrees in files.
-    degrees: Option<String>,
+    /// Sentences on what files have and leave out.
+    remarks: Vec<String>,
     quiet: bool,
     json: bool,
     /// The outputs of a recipe, if one is wanted.
@@ -56,18 +56,19 @@ impl Making {
         let to_terminal = targets.use_standard_output() && io::stdout().is_terminal();
         clean_up_on_interrupt()?;
         let bar = Bar::new(quiet || to_terminal);
-        Ok(Self { targets, bar, degrees: None, quiet, json, recipe, is_shown: surface.show })
+        Ok(Self { targets, bar, remarks: Vec::new(), quiet, json, recipe, is_shown: surface.show })
     }
 
     /// The plane of the mesh is a projection of degrees: formats in degrees get these.
     pub(crate) fn unproject(&mut self, projection: Option<&Projection>) {
         let formats = self.targets.unproject(projection.copied());
-        self.degrees = projection.filter(|_| !formats.is_empty()).map(|projection| {
+        let projection = projection.filter(|_| !formats.is_empty());
+        self.remarks.extend(projection.map(|projection| {
             format!(
                 "{} has degrees of longitude and latitude, from {projection}",
                 formats.join(" and ")
             )
-        });
+        }));
     }
 
     /// Reads a mesh that the command takes; its materials will be those of the outputs.
@@ -126,18 +127,19 @@ impl Making {
         self,
         mesh_for: impl Fn(Format) -> &'m dyn Mesh,
     ) -> Result<Made, Failure> {
-        let Self { mut targets, bar, degrees, quiet, json, recipe, is_shown } = self;
+        let Self { mut targets, bar, mut remarks, quiet, json, recipe, is_shown } = self;
         if let Some(outputs) = recipe {
             // All that is read was read.
             targets.set_recipe(&SESSION.recipe(&arguments_of_recipe(), &outputs)?);
         }
         let files = targets.files();
         let shown = targets.first_format().filter(|_| is_shown);
+        remarks.extend(targets.left_out(&mesh_for));
         bar.work(|progress| targets.write(&mesh_for, progress))?;
         if let Some(format) = shown {
             show(mesh_for(format), files.first().map_or("mesh", String::as_str), &bar)?;
         }
-        Ok(Made { files, degrees, quiet, json })
+        Ok(Made { files, remarks, quiet, json })
     }
 }
 
@@ -151,7 +153,7 @@ fn arguments_of_recipe() -> Vec<OsString> {
 /// A mesh that was written.
 pub(crate) struct Made {
     files: Vec<String>,
-    degrees: Option<String>,
+    remarks: Vec<String>,
     quiet: bool,
     json: bool,
 }
@@ -166,7 +168,7 @@ impl Made {
         if !self.quiet {
             let text = text();
             let lines = (!text.is_empty()).then_some(text).into_iter();
-            let lines = lines.chain(self.degrees).chain(wrote(&self.files));
+            let lines = lines.chain(self.remarks).chain(wrote(&self.files));
             let lines = lines.collect::<Vec<_>>().join("\n");
             if !lines.is_empty() {
                 say(&lines);

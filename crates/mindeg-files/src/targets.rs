@@ -17,6 +17,9 @@ use std::path::{Path, PathBuf};
 /// The decimals of degrees: nine are a tenth of a millimetre.
 const DECIMALS: f64 = 1e9;
 
+/// Of more lines that are left out the names are not told.
+const MOST_NAMES: usize = 5;
+
 /// A point of a plane in degrees of longitude and latitude, as the plane was projected.
 fn in_degrees(projection: &Projection, point: DVec3) -> DVec3 {
     let degrees = projection.to_degrees(point.truncate()) * DECIMALS;
@@ -126,6 +129,21 @@ impl<'a> Targets<'a> {
         let formats = self.targets.iter().map(|target| target.format);
         let in_degrees = formats.filter(|format| projection.is_some() && format.in_degrees());
         in_degrees.map(Format::description).collect()
+    }
+
+    /// What files leave out of the meshes that they get, a sentence each.
+    pub fn left_out<'m>(&self, mesh_for: impl Fn(Format) -> &'m dyn Mesh) -> Vec<String> {
+        let told = |target: &Target| {
+            let names = target.format.lines_left_out(mesh_for(target.format));
+            let some = names.iter().take(MOST_NAMES).cloned().collect::<Vec<_>>().join(", ");
+            let more = if names.len() > MOST_NAMES { ", …" } else { "" };
+            let path = target.path.display();
+            let lines = if names.len() == 1 { "a line" } else { "lines" };
+            (!names.is_empty()).then(|| {
+                format!("{path} leaves out {lines} inside, since the format has boundaries alone: {some}{more}")
+            })
+        };
+        self.targets.iter().filter_map(told).collect()
     }
 
     /// Whether one of them goes where this process prints.

@@ -5,7 +5,7 @@ use mindeg_mesh::ear_clipping::cut_polygon;
 use mindeg_mesh::{ByName, Line, LineKind, Mesh, TriMesh, filled};
 use std::ops::Range;
 
-use crate::corners::segments;
+use crate::corners::{segments, triangles};
 
 /// The mesh with a line for each loop of its boundary, named `boundary 1` and so on, if it has no lines
 /// and is not closed: what [formats with a boundary](crate::Format::has_boundary) ask for.
@@ -130,6 +130,52 @@ impl<'a> MarkedChains<'a> {
         }
     }
 
+    /// Leaves out segments with triangles on both sides: they are no boundary. Gives the names of
+    /// their lines, each once. O(n log n) time for n triangles and
+    /// segments.
+    pub(crate) fn leave_out_inner(&mut self) -> Vec<&str> {
+        let of_chain = |chain: &MarkedChain| segments(self.mesh, chain.segments.clone());
+        let mut edges: Vec<[u32; 2]> = self.chains.iter().flat_map(of_chain).map(sorted).collect();
+        edges.sort_unstable();
+        edges.dedup();
+        let mut beside = vec![0_u8; edges.len()];
+        let count = self.mesh.triangle_count();
+        for start in (0..count).step_by(BLOCK as usize) {
+            for [a, b, c] in triangles(self.mesh, start..start.saturating_add(BLOCK).min(count)) {
+                for edge in [[a, b], [b, c], [c, a]] {
+                    if let Ok(at) = edges.binary_search(&sorted(edge)) {
+                        beside[at] = beside[at].saturating_add(1);
+                    }
+                }
+            }
+        }
+        let is_inner =
+            |edge: [u32; 2]| edges.binary_search(&sorted(edge)).is_ok_and(|at| beside[at] > 1);
+        let (mut kept, mut left_out) = (Vec::new(), vec![false; self.names.len()]);
+        for chain in &self.chains {
+            let mut goes_on = false;
+            for (index, edge) in chain.segments.clone().zip(of_chain(chain)) {
+                let [start, end] = edge;
+                if is_inner(edge) {
+                    (goes_on, left_out[chain.name as usize]) = (false, true);
+                    continue;
+                }
+                match kept.last_mut() {
+                    Some(MarkedChain { segments, end: last, .. }) if goes_on => {
+                        (segments.end, *last) = (index + 1, end);
+                    }
+                    _ => {
+                        kept.push(MarkedChain { segments: index..index + 1, start, end, ..*chain })
+                    }
+                }
+                goes_on = true;
+            }
+        }
+        self.chains = kept;
+        let names = self.names.iter().zip(left_out);
+        names.filter(|name| name.1).map(|name| name.0.as_str()).collect()
+    }
+
     /// The rings: chains that follow one another and close.
     pub(crate) fn rings(&self) -> Vec<Range<usize>> {
         let mut rings = Vec::new();
@@ -182,6 +228,10 @@ impl<'a> MarkedChains<'a> {
         let largest = placed.max_by(|a, b| area(a).total_cmp(&area(b)));
         largest.map_or(DVec2::ZERO, |[a, b, c]| (a / 3.0 + b / 3.0 + c / 3.0).truncate())
     }
+}
+
+fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
+    [a.min(b), a.max(b)]
 }
 
 /// The index of the name of each vertex: that of the last segment that begins there, or else ends.

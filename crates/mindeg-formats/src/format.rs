@@ -2,7 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::boundary::MarkedChains;
 use crate::facts::Facts;
+use mindeg_mesh::Mesh;
 
 /// Makes the list of formats: each a variant, its summary, and the facts that its module states.
 macro_rules! formats {
@@ -116,6 +118,17 @@ impl Format {
     #[must_use]
     pub fn description(self) -> &'static str {
         self.facts().description
+    }
+
+    /// The names of the lines of a mesh that a file of this format leaves out, since they run inside and the format has a place for
+    /// boundaries alone. O(n log n) time for fort.14, none for others.
+    #[must_use]
+    pub fn lines_left_out(self, mesh: &dyn Mesh) -> Vec<String> {
+        if self != Self::Fort14 {
+            return Vec::new();
+        }
+        let mut chains = MarkedChains::of(mesh);
+        chains.leave_out_inner().into_iter().map(str::to_owned).collect()
     }
 
     /// Whether solvers, which need to know the boundary, read the format.

@@ -2,7 +2,8 @@
 //!
 //! Vertices and triangles count from 1 without gaps, as SWAN asks. The lines of the mesh are boundary
 //! segments: open, land or island by their kind. Where that is not known, a hole is an island, and
-//! all else is land. An island is a whole ring; its lines become one segment.
+//! all else is land. An island is a whole ring; its lines become one segment. A line with triangles on both sides is
+//! no boundary, and is left out.
 //!
 //! Limits: for meshes in the plane. Barriers with heights (boundary types 3, 4, 5 and those 10 and 20
 //! above) are read as land, without their heights.

@@ -24,7 +24,8 @@ pub(crate) fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
         numbered_lines(" ", 0..nodes, |range| points(mesh, range)),
         numbered_lines(" ", 0..elements, corners),
     ];
-    let boundary = MarkedChains::of(mesh);
+    let mut boundary = MarkedChains::of(mesh);
+    boundary.leave_out_inner();
     let [open, closed] = segments(&boundary);
     for (kind, boundaries) in [("open", open), ("land", closed)] {
         let nodes: u64 = boundaries.iter().map(|segment| segment.node_count()).sum();
