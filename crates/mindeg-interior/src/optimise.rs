@@ -59,7 +59,7 @@ pub(crate) fn smooth_packed<S: Manifold>(
 }
 
 /// Smooths, and does operations as long as they help.
-fn smooth_and_mend<S: Manifold>(
+pub(crate) fn smooth_and_mend<S: Manifold>(
     mesh: &mut ArrayMesh<S>,
     weights: &Weights,
     mut pairs: Option<&mut Pairs>,
