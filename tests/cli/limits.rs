@@ -168,7 +168,7 @@ fn gaps_of_large_domains_say_what_to_do() {
     let file = folder.path().join("large.json");
     let corner = |corner: u32| {
         let (sin, cos) = (f64::from(corner) * std::f64::consts::TAU / 300.0).sin_cos();
-        let radius = if corner % 2 == 0 { 100.0 } else { 99.99 };
+        let radius = if corner.is_multiple_of(2) { 100.0 } else { 99.99 };
         format!("[{}, {}]", radius * cos, radius * sin)
     };
     let ring = (0..300).map(corner).collect::<Vec<_>>().join(", ");

@@ -11,22 +11,21 @@ use std::fmt::Write as _;
 /// # Example
 ///
 /// ```
-/// use mindeg::{Domain, Interior, Progress, TriMesh, glam::DVec3, stitch::stitch};
+/// use mindeg::{Domain, Interior, Progress, Side, interior, stitch::stitch};
 /// use mindeg_answers::stitch::StitchAnswer;
 ///
-/// // Two triangles that point at each other.
-/// let triangle = |corners: [[f64; 2]; 3]| {
-///     let points = corners.map(|[x, y]| DVec3::new(x, y, 0.0)).to_vec();
-///     TriMesh::new(points, vec![[0, 1, 2]])
+/// // Two squares, a third of their width apart.
+/// let square = |x: f64| {
+///     let corners = [[x, 0.0], [x + 3.0, 0.0], [x + 3.0, 3.0], [x, 3.0]];
+///     let domain = Domain::polygon(corners, vec![Side::count(6); 4])?;
+///     Ok::<_, Box<dyn std::error::Error>>(interior::mesh(&domain, &Interior::default(), Progress::NONE)?.mesh)
 /// };
-/// let meshes = [
-///     triangle([[0.0, 0.0], [2.0, 1.0], [0.0, 2.0]])?,
-///     triangle([[5.0, 0.0], [5.0, 2.0], [3.0, 1.0]])?,
-/// ];
-/// let area = Domain::from_rings([[[1.5, 0.5], [3.5, 0.5], [3.5, 1.5], [1.5, 1.5]]])?;
+/// let meshes = [square(0.0)?, square(4.0)?];
+/// let area = Domain::from_rings([[[2.9, 0.3], [4.1, 0.3], [4.1, 2.7], [2.9, 2.7]]])?;
 /// let answer = StitchAnswer::of(&stitch(&meshes, &area, &Interior::default(), Progress::NONE)?);
-/// assert_eq!(answer.triangles, answer.new_triangles + 2);
-/// assert_eq!(answer.joined, 0);
+/// let given: usize = meshes.iter().map(|mesh| mesh.triangles().len()).sum();
+/// assert_eq!(answer.triangles, answer.new_triangles + given);
+/// assert!(answer.outside_5_to_7.is_empty());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]

@@ -49,7 +49,7 @@ pub(crate) enum Turn {
 }
 
 /// Where all else has failed, the later rounds are repeated so often: in small meshes, which are begun anew besides, and in large ones.
-const REPEATED: [u64; 2] = [2, 10];
+const REPEATED: [u64; 2] = [2, 3];
 /// From so many triangles on a mesh is large.
 const LARGE: usize = 10_000;
 /// With more places than this left, larger discs would take too long.
@@ -89,10 +89,10 @@ pub(crate) fn redraw(
             .map(move |round| (seed, round))
     };
     for (seed, (index, Round { rings, effort, kept })) in seeds.flat_map(rounds) {
-        // Where all else has failed twice, larger discs are drawn anew, and any angle will do.
+        // Where all else has failed twice, larger discs are drawn anew.
         let is_hard = seed > 2;
         let most = if is_hard { 2 * ENOUGH_TRIANGLES } else { ENOUGH_TRIANGLES };
-        let (kept, times) = if is_hard { (0.0, seed as u32) } else { (*kept, 1) };
+        let times = if is_hard { seed as u32 } else { 1 };
         let effort = Effort { moves: times * effort.moves, ..*effort };
         let wrong: Vec<u32> = broken(mesh, weights).collect();
         if is_hard && wrong.len() > MOST_HARD {

@@ -9,8 +9,8 @@ use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
 Examples:
-  mindeg stitch ocean.14 river.14 --within delta.geojson -o both.14
-  mindeg stitch ocean.14 river.14 --within delta.geojson --project auto -o both.14";
+  mindeg stitch sea.14 river.14 --within delta.json -o both.14
+  mindeg stitch sea.14 river.14 --within delta.json --project auto -o both.14";
 
 /// Join meshes of the plane by a mesh of the gap between them
 ///
