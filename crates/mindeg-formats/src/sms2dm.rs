@@ -1,7 +1,7 @@
 //! 2DM, the mesh files of the Surface-water Modeling System and of programs around it.
 //!
 //! Vertices and triangles count from 1 without gaps; groups are materials; each line of the mesh is
-//! a node string; those of one name have one number.
+//! a node string; those of one name have one number. z counts upwards: it is the bed's height, and so the depth with the other sign.
 //!
 //! Limits: names of groups and lines are not kept, since the format has numbers for them.
 
@@ -15,7 +15,7 @@ use crate::records::{Records, Words};
 use crate::sections::Section;
 use crate::tables::{NamedRuns, corners_from_one, numbered_lines};
 use crate::{ReadError, made_by, mesh_name};
-use mindeg_mesh::{Mesh, TriMesh};
+use mindeg_mesh::{Mesh, TriMesh, filled};
 use std::io::BufRead;
 use std::ops::Range;
 
@@ -41,16 +41,21 @@ fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
         let materials = groups.of(range.clone()).map(|group| [group + 1]);
         corners_from_one(mesh, range).zip(materials)
     };
-    let points = |range| positions(mesh, range).map(|point| point.to_array());
     let head = format!("MESH2D\n# {}\nMESHNAME \"{name}\"\n", made_by(mesh));
     let mut sections = vec![
         Section::bytes(head),
         numbered_lines("E3T", 0..mesh.triangle_count(), elements),
-        numbered_lines("ND", 0..mesh.vertex_count(), points),
+        numbered_lines("ND", 0..mesh.vertex_count(), |range| points(mesh, range)),
     ];
     let chains = MarkedChains::of(mesh).chains;
     sections.extend(chains.into_iter().map(|chain| node_string(mesh, chain)));
     sections
+}
+
+/// Each vertex; where the mesh has depths, z is the height of the bed.
+fn points(mesh: &dyn Mesh, range: Range<u32>) -> impl Iterator<Item = [f64; 3]> {
+    let depths = filled(range.clone(), 0.0, |first, out| mesh.fill_depths(first, out));
+    positions(mesh, range).zip(depths).map(|(point, depth)| [point.x, point.y, point.z - depth])
 }
 
 /// The vertices of a chain, the last with a minus sign before it, then the number of its name.
@@ -81,7 +86,8 @@ fn node_string(mesh: &dyn Mesh, chain: MarkedChain) -> Section<'_> {
 /// Triangles (`E3T`) and quadrilaterals (`E4Q`) of different materials become groups, if those of a
 /// material follow one another; node strings (`NS`) become lines, `E2L` and `E3L` are counted. Of
 /// elements with vertices on their sides (`E6T`, `E8Q`, `E9Q`) the corners are taken. Vertices may
-/// have any numbers. Other lines are passed over.
+/// have any numbers. Other lines are passed over. If seen from above all triangles are counter-clockwise, the mesh is flat, and
+/// z gives its depths; else it is a surface in space.
 ///
 /// O(n log n) time and O(n) memory for n bytes.
 ///
@@ -142,7 +148,7 @@ pub fn read(input: impl BufRead) -> Result<TriMesh, ReadError> {
             _ => {}
         }
     }
-    let mesh = contents.into_mesh("material")?;
+    let mesh = contents.into_mesh("material")?.with_bed_as_depths();
     Ok(match name {
         Some(name) if !name.is_empty() => mesh.named(name),
         _ => mesh,

@@ -435,6 +435,24 @@ fn holes_are_islands_and_have_a_point_inside() {
 }
 
 #[test]
+fn depths_are_heights_of_the_bed_in_a_2dm() {
+    let mesh = ring().with_depths((0..8).map(f64::from).collect());
+    let file = write(&mesh, Format::Sms2dm, exact());
+    assert!(text(&file, 0).contains("\nND 3 3 3 -2\n"), "{}", text(&file, 0));
+    let read = read_back(&file).unwrap();
+    let mut depths = [0.0; 8];
+    read.fill_depths(0, &mut depths);
+    assert_eq!(depths, [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]);
+    assert_eq!(read.positions(), mesh.positions());
+    // A surface that folds back keeps its place in space.
+    let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 1.0], [0.0, 1.0, 2.0], [1.0, 1.0, 3.0]];
+    let points = points.map(DVec3::from).to_vec();
+    let folded = TriMesh::new(points, vec![[0, 1, 2], [1, 2, 3]]).unwrap();
+    let read = read_back(&write(&folded, Format::Sms2dm, exact())).unwrap();
+    assert_eq!(read.positions(), folded.positions());
+}
+
+#[test]
 fn groups_are_materials_and_regions() {
     let group = |name: &str, triangles| Group::new(name, triangles);
     let mesh = ring().with_groups(vec![group("mud", 0..3), group("sand", 3..8)]);

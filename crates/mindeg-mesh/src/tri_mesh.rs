@@ -12,6 +12,7 @@ use crate::connectivity::boundary::{BoundaryEdges, BoundaryLoop};
 use crate::connectivity::faces::Faces;
 use crate::connectivity::stars::Stars;
 use crate::mesh::{Group, Line, LineKind, NamedVertex, PeriodicLine};
+use crate::planar::orientation;
 use crate::polygons::{NonTriangles, Polygons};
 
 /// A triangle mesh in space: any number of groups, with or without boundary, valid or not.
@@ -218,6 +219,21 @@ impl TriMesh {
         assert_eq!(depths.len(), self.positions.len(), "a depth for each vertex");
         assert!(depths.iter().all(|depth| depth.is_finite()), "depths are finite");
         Self { depths, ..self }
+    }
+
+    /// The same mesh in the plane z = 0, with depths of -z, if seen from above all triangles are counter-clockwise: z is the
+    /// height of a bed then. Else the mesh as it is. O(n).
+    #[must_use]
+    pub fn with_bed_as_depths(mut self) -> Self {
+        let is_bed = |corners: &[u32; 3]| {
+            let [a, b, c] = corners.map(|vertex| self.positions[vertex as usize].truncate());
+            orientation(a, b, c) > 0.0
+        };
+        if self.positions.iter().any(|point| point.z != 0.0) && self.triangles.iter().all(is_bed) {
+            let depth = |point: &mut DVec3| 0.0 - std::mem::take(&mut point.z);
+            self.depths = self.positions.iter_mut().map(depth).collect();
+        }
+        self
     }
 
     /// The same mesh with the polygons that its triangles were cut from.
