@@ -194,6 +194,26 @@ fn a_coast_in_degrees_becomes_a_grid_with_open_water_islands_and_depths() {
 }
 
 #[test]
+fn grids_of_other_programs_are_refused_with_a_way_in() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let gdal = "`gdal_translate -of AAIGrid";
+    for (name, bytes, words) in [
+        ("gebco.nc", &b"\x89HDF\r\n\x1a\n\0"[..], gdal),
+        ("classic.nc", b"CDF\x01\0\0\0\0", gdal),
+        ("etopo.tif", b"II*\0\x08\0\0\0", gdal),
+        ("depth.npy", b"\x93NUMPY\x01\0", "numpy.savez("),
+    ] {
+        fs::write(path(name), bytes).expect("a file");
+        for option in ["--depth", "--elevation", "--sizes"] {
+            let square = ["mesh", "--rectangle", "4x4", "--size", "1", "--interior"];
+            let run = mindeg([&square[..], &[option, &path(name), "-o", &path("x.14")]].concat());
+            run.refuses(&[&format!("{}: it is a", path(name)), words, &path(name)]);
+        }
+    }
+}
+
+#[test]
 fn lengths_with_units_need_metres() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("sea.json").display().to_string();

@@ -8,6 +8,17 @@ const FOREIGN: &[(&[&str], &str, &str)] = &[
         "`ogr2ogr outline.geojson FILE` writes its polygons as GeoJSON",
     ),
     (
+        &["nc", "tif", "tiff"],
+        "a grid of a geographic program",
+        "`gdal_translate -of AAIGrid FILE grid.asc` writes its values as a grid for depths and sizes",
+    ),
+    (
+        &["npy"],
+        "an array without a place",
+        "in Python, `numpy.savez(\"grid.npz\", values=numpy.load(\"FILE\"), origin=[x, y], spacing=[dx, dy])` gives it one; \
+         its rows run from the lowest y on",
+    ),
+    (
         &["geo"],
         "a script for Gmsh",
         "`gmsh -1 FILE -o outline.msh` writes its curves as an outline",
@@ -42,7 +53,7 @@ pub(crate) fn advice(extension: &str, file: &str) -> Option<String> {
 /// The usual extension of a file of other programs, by its first bytes.
 pub(crate) fn extension_of(bytes: &[u8]) -> Option<&'static str> {
     let text = bytes.trim_ascii_start();
-    let starts: [(&[u8], &str); 8] = [
+    let starts: [(&[u8], &str); 15] = [
         (&[0, 0, 0x27, 0x0a], "shp"),
         (b"ISO-10303-21", "step"),
         (b"SetFactory", "geo"),
@@ -51,6 +62,13 @@ pub(crate) fn extension_of(bytes: &[u8]) -> Option<&'static str> {
         (b"%PDF", "pdf"),
         (b"Kaydara FBX", "fbx"),
         (b"SQLite format 3", "gpkg"),
+        (b"CDF\x01", "nc"),
+        (b"CDF\x02", "nc"),
+        (b"CDF\x05", "nc"),
+        (b"\x89HDF\r\n", "nc"),
+        (b"II*\0", "tif"),
+        (b"MM\0*", "tif"),
+        (b"\x93NUMPY", "npy"),
     ];
     let start =
         starts.iter().find(|(start, _)| bytes.starts_with(start) || text.starts_with(start));

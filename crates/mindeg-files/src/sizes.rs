@@ -2,6 +2,7 @@
 
 use crate::beside::Beside;
 use crate::error::{FileError, plain};
+use crate::foreign;
 use crate::input::Input;
 use crate::session::Session;
 use mindeg_domain::{Depths, Domain, Size, SizeAt, SizeBetween, SizeFile};
@@ -37,7 +38,7 @@ impl Session {
             self.note(path, DEPTHS);
         }
         let bytes = self.bytes(input, DEPTHS)?;
-        match Field::read(&bytes).map_err(|error| wrong(&error.to_string()))? {
+        match field_of(&name, &bytes)? {
             Field::Grid(grid) => {
                 Depths::grid(grid.origin, grid.spacing, grid.columns, &grid.values)
                     .ok_or_else(|| wrong("no value is a finite number"))
@@ -78,10 +79,19 @@ impl Session {
 /// The kind of the file in messages.
 const SIZES: &str = "file of sizes";
 
+/// The field in a file's bytes.
+fn field_of(name: &str, bytes: &[u8]) -> Result<Field, FileError> {
+    Field::read(bytes).map_err(|error| {
+        let foreign = foreign::extension_of(bytes);
+        let advice = foreign.and_then(|extension| foreign::advice(extension, name));
+        FileError::wrong(format!("{name}: {}", advice.unwrap_or(error.to_string())))
+    })
+}
+
 /// The sizes in a file's bytes.
 fn sizes_of(name: &str, bytes: &[u8]) -> Result<SizeBetween, FileError> {
     let wrong = |problem: String| FileError::wrong(format!("{name}: {problem}"));
-    let sizes = match Field::read(bytes).map_err(|error| wrong(error.to_string()))? {
+    let sizes = match field_of(name, bytes)? {
         Field::Grid(grid) => {
             SizeBetween::grid(grid.origin, grid.spacing, grid.columns, &grid.values)
         }
