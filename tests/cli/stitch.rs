@@ -92,7 +92,9 @@ fn a_gap_is_filled_and_the_meshes_stay() {
 fn what_cannot_be_stitched_is_refused_with_the_place() {
     let folder = tempfile::tempdir().expect("a folder");
     let overlapping = RIVER.replace("[13, 4.4]", "[9, 4.4]").replace("[13, 5.6]", "[9, 5.6]");
-    let [ocean, river, area] = meshes(folder.path(), &overlapping);
+    let other = tempfile::tempdir().expect("a folder");
+    let [ocean, river, area] = meshes(folder.path(), RIVER);
+    let [_, on_ocean, _] = meshes(other.path(), &overlapping);
     let path = |name: &str, text: &str| {
         let path = folder.path().join(name).display().to_string();
         fs::write(&path, text).expect("a file");
@@ -103,9 +105,10 @@ fn what_cannot_be_stitched_is_refused_with_the_place() {
     let out = folder.path().join("x.14").display().to_string();
     let before = content(folder.path());
     for (other, area, words) in [
-        (&river, &area, &["overlap", "near ("][..]),
+        (&on_ocean, &area, &["meshes 1 and 2 overlap", "near (10, "][..]),
+        (&ocean, &area, &["meshes 1 and 2 overlap", "near ("]),
         (&river, &inside, &["no gap"]),
-        (&ocean, &half, &["stays apart"]),
+        (&river, &half, &["stays apart"]),
     ] {
         mindeg(["stitch", &ocean, other, "--within", area, "-o", &out]).refuses(words);
     }
@@ -175,4 +178,31 @@ fn a_mesh_in_a_hole_an_island_in_the_gap_and_degrees() {
     let area = geojson("[24.29, 37.08], [24.41, 37.105], [24.41, 37.195], [24.29, 37.22]");
     let (joined, loops, angle) = stitched([&west, &east], &put("area.geojson", &area), &auto);
     assert!((joined, loops) == (5, 1) && angle > 32.0, "{joined} {loops} {angle}");
+}
+
+#[test]
+fn fans_of_the_given_meshes_count() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    // The middle of a straight boundary has 6 edges already: one more makes it 7, and two triangles fill its half-plane.
+    let fan =
+        [[0.0, 0.0], [0.0, 1.0], [-0.6, 0.8], [-1.0, 0.3], [-1.0, -0.3], [-0.6, -0.8], [0.0, -1.0]];
+    let ends = [[0.0, 2.0], [0.0, -2.0]];
+    let triangles = [[1, 2, 3], [1, 3, 4], [1, 4, 5], [1, 5, 6], [1, 6, 7], [2, 8, 3], [7, 6, 9]];
+    for (name, turn) in [("west.obj", 1.0), ("east.obj", -1.0)] {
+        let points = fan.iter().chain(&ends).map(|[x, y]| [turn * (x - 1.5), turn * y]);
+        let mut text: String = points.map(|[x, y]| format!("v {x} {y} 0\n")).collect();
+        text.extend(triangles.map(|[a, b, c]| format!("f {a} {b} {c}\n")));
+        fs::write(path(name), text).expect("a file");
+    }
+    fs::write(path("gap.wkt"), "POLYGON ((-1.7 -1.5, 1.7 -1.5, 1.7 1.5, -1.7 1.5))")
+        .expect("a file");
+    let out = path("both.14");
+    let run =
+        [&path("west.obj"), &path("east.obj"), "--within", &path("gap.wkt"), "--json", "-o", &out];
+    let told = mindeg([&["stitch"], &run[..]].concat()).json();
+    assert_eq!((&told["joined"], &told["outside_5_to_7"]), (&json!(2), &json!([])));
+    let [_, elements] = lists(&out);
+    let around = |node: f64| elements.iter().filter(|element| element[1..].contains(&node)).count();
+    assert_eq!([around(1.0), around(10.0)], [7, 7]);
 }

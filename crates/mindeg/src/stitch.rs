@@ -21,7 +21,7 @@ use mindeg_mesh::{Line, LineKind, Positions, Progress, TriMesh, Triangles};
 
 use self::depths::depths_between;
 use self::gap::{Corner, Step, shown};
-use self::proof::{boundary_of, place, prove};
+use self::proof::{apart, boundary_of, prove};
 use crate::error::MeshError;
 use crate::interior;
 
@@ -93,14 +93,16 @@ pub fn stitch(
         return Err(MeshError::refused("there is no mesh"));
     };
     let mut whole = first.clone();
+    let mut starts = vec![0];
     for other in others {
+        starts.push(whole.positions().len() as u32);
         whole = whole.with_mesh_added(other)?;
     }
     if whole.normal().is_none() {
         let sentence = "a mesh is not flat, or has a triangle that is clockwise: only meshes of the plane are joined so";
         return Err(MeshError::refused(sentence));
     }
-    let joined = Joining::new(whole, area)?;
+    let joined = Joining::new(whole, &starts, area)?;
     let mut gaps = joined.gaps()?;
     if gaps.is_empty() {
         let sentence = "the area has no gap: all of it lies in the meshes";
@@ -138,11 +140,12 @@ struct Joining<'a> {
 }
 
 impl<'a> Joining<'a> {
-    fn new(whole: TriMesh, area: &'a Domain) -> Result<Self, MeshError> {
+    fn new(whole: TriMesh, starts: &[u32], area: &'a Domain) -> Result<Self, MeshError> {
         let plane = |at: DVec2| area.projection().map_or(at, |projection| projection.to_plane(at));
         let points: Vec<DVec2> =
             whole.positions().iter().map(|point| plane(point.truncate())).collect();
         let next = boundary_of(whole.triangles(), &points)?;
+        apart(&points, &next, starts)?;
         let border = area.boundary()?.into_owned();
         let names: BTreeSet<&String> =
             area.sides().iter().filter_map(|side| side.name.as_ref()).collect();
@@ -195,10 +198,12 @@ impl<'a> Joining<'a> {
         let places: Vec<Vec<DVec2>> = rings.iter().map(points).collect();
         PlanarBoundary::new(&places).map_err(|faults| {
             let fault = faults.first();
-            let place = place(&fault, &places).map_or_else(|| fault.to_string(), shown);
+            let corners = proof::places(&fault, rings);
+            let at = |step: &Step| shown(self.at(step.0));
+            let place = corners.first().map_or_else(|| fault.to_string(), at);
             MeshError::Refused(format!(
-                "the gap crosses itself or a mesh near {place}: the meshes overlap there, or the border of the area is too near a \
-                 corner of theirs; move the border"
+                "the gap crosses itself or a mesh near {place}: the border of the area is too near a corner of the meshes; move \
+                 the border"
             ))
         })?;
         let domain = Domain::of_rings(rings.iter().map(|ring| self.ring_of(ring)).collect());

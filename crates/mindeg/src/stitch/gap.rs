@@ -151,7 +151,7 @@ fn along_border(
     }
     let place = shown(area.point(exit.edge));
     Err(MeshError::Refused(format!(
-        "the border of the area leaves a mesh near {place} and comes to none: the meshes overlap there"
+        "the border of the area leaves a mesh near {place} and comes to none: move the border there"
     )))
 }
 

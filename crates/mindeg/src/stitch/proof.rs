@@ -29,12 +29,8 @@ pub(super) fn boundary_of(
     Ok(next)
 }
 
-/// Proves that triangles fill the rings of their boundary, which is one outer ring and holes.
-pub(super) fn prove(
-    points: &[DVec2],
-    triangles: &[[u32; 3]],
-    next: &BTreeMap<u32, u32>,
-) -> Result<(), MeshError> {
+/// The vertices of each ring of a boundary.
+fn rings_of(next: &BTreeMap<u32, u32>) -> Vec<Vec<u32>> {
     let mut left: BTreeSet<u32> = next.keys().copied().collect();
     let mut rings: Vec<Vec<u32>> = Vec::new();
     while let Some(start) = left.pop_first() {
@@ -46,6 +42,42 @@ pub(super) fn prove(
         }
         rings.push(ring);
     }
+    rings
+}
+
+/// Refuses meshes with boundaries that meet; `starts` has the first vertex of each mesh.
+pub(super) fn apart(
+    points: &[DVec2],
+    next: &BTreeMap<u32, u32>,
+    starts: &[u32],
+) -> Result<(), MeshError> {
+    let rings = rings_of(next);
+    let at = |vertex: &u32| points[*vertex as usize];
+    let points: Vec<Vec<DVec2>> = rings.iter().map(|ring| ring.iter().map(at).collect()).collect();
+    // The rings of several meshes are no boundary; only where they meet counts here.
+    let Err(faults) = PlanarBoundary::new(&points) else { return Ok(()) };
+    let number = |vertex: u32| starts.partition_point(|start| *start <= vertex);
+    for fault in faults.list() {
+        if let [a, b] = places(fault, &rings)[..]
+            && number(a) != number(b)
+        {
+            let [first, second] = [number(a).min(number(b)), number(a).max(number(b))];
+            return Err(MeshError::Refused(format!(
+                "meshes {first} and {second} overlap or touch near {}; only a gap between them is filled: cut one of them back there",
+                shown(at(&a))
+            )));
+        }
+    }
+    Ok(())
+}
+
+/// Proves that triangles fill the rings of their boundary, which is one outer ring and holes.
+pub(super) fn prove(
+    points: &[DVec2],
+    triangles: &[[u32; 3]],
+    next: &BTreeMap<u32, u32>,
+) -> Result<(), MeshError> {
+    let mut rings = rings_of(next);
     let at = |vertex: u32| points[vertex as usize];
     let is_outer = |ring: &Vec<u32>| {
         let place = |index: usize| at(ring[index % ring.len()]);
@@ -62,7 +94,8 @@ pub(super) fn prove(
         rings.iter().map(|ring| ring.iter().map(|vertex| at(*vertex)).collect()).collect();
     let boundary = PlanarBoundary::new(&places).map_err(|faults| {
         let fault = faults.first();
-        let place = place(&fault, &places).map_or_else(|| fault.to_string(), shown);
+        let vertices = self::places(&fault, &rings);
+        let place = vertices.first().map_or_else(|| fault.to_string(), |vertex| shown(at(*vertex)));
         MeshError::Refused(format!(
             "the meshes overlap or touch at {place}; only a gap between them is filled: cut one of them back there"
         ))
@@ -80,17 +113,20 @@ pub(super) fn prove(
     Ok(())
 }
 
-/// Where a fault of rings is.
-pub(super) fn place(fault: &BoundaryFault, rings: &[Vec<DVec2>]) -> Option<DVec2> {
-    let place = match fault {
-        BoundaryFault::SamePoint([place, _]) | BoundaryFault::Crossing([place, _]) => *place,
-        BoundaryFault::Touch { vertex, .. } => *vertex,
-        BoundaryFault::FoldsBack(at) => BoundaryPlace::Ring(*at),
-        BoundaryFault::HoleOutside { hole } => return rings.get(*hole)?.first().copied(),
-        _ => return None,
+/// The one or two places of a fault, as the rings have them.
+pub(super) fn places<T: Copy>(fault: &BoundaryFault, rings: &[Vec<T>]) -> Vec<T> {
+    let places = match *fault {
+        BoundaryFault::SamePoint(both) | BoundaryFault::Crossing(both) => both.to_vec(),
+        BoundaryFault::Touch { vertex, edge } => vec![vertex, edge],
+        BoundaryFault::FoldsBack(at) => vec![BoundaryPlace::Ring(at)],
+        BoundaryFault::HoleOutside { hole } => {
+            return rings.get(hole).and_then(|ring| ring.first()).copied().into_iter().collect();
+        }
+        _ => Vec::new(),
     };
-    match place {
+    let of_rings = places.into_iter().filter_map(|place| match place {
         BoundaryPlace::Ring(at) => rings.get(at.ring)?.get(at.index).copied(),
         _ => None,
-    }
+    });
+    of_rings.collect()
 }
