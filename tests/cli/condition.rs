@@ -157,6 +157,20 @@ fn islands_of_a_map_are_conditioned_together() {
     let out = folder.path().join("states-domain.json").display().to_string();
     let several = mindeg([&["condition"], &states[..], &["-o", &out]].concat());
     several.refuses(&["8 that share no edge", "mesh --interior --condition"]);
+    // A pond behind a cape keeps the cape, which would else be cut off, and the pond be in the sea.
+    let land = |name: &str, ring: &str| {
+        format!(
+            r#"{{"type": "Feature", "properties": {{"name": "{name}"}}, "geometry": {{"type": "Polygon", "coordinates": [[{ring}]]}}}}"#
+        )
+    };
+    let sea = land("sea", "[0, 0], [4, 0], [5, 0.4], [6, 0], [10, 0], [10, 5], [0, 5]");
+    let pond = land("pond", "[4.9, 0.1], [5.1, 0.1], [5, 0.2]");
+    let both = format!(r#"{{"type": "FeatureCollection", "features": [{sea}, {pond}]}}"#);
+    let condition = |map: &str| {
+        let run = ["condition", "-", "--within", "1", "--size", "8", "--json"];
+        mindeg_reading(run, map.as_bytes()).json()["dropped"].clone()
+    };
+    assert_eq!([condition(&both), condition(&sea)], [2, 3]);
 }
 
 #[test]

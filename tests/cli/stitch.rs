@@ -101,6 +101,9 @@ fn what_cannot_be_stitched_is_refused_with_the_place() {
         path
     };
     let half = path("half.wkt", "POLYGON ((9.8 3.8, 11 4.3, 11 5.7, 9.8 6.2))");
+    let zigzag =
+        path("zigzag.wkt", "POLYGON ((9.8 3.7, 10.2 3.75, 9.9 3.8, 13.2 4.3, 13.2 5.7, 9.8 6.2))");
+    let steep = path("steep.obj", "v 13 4 0\nv 14 4 0\nv 13 5 1\nf 1 2 3\n");
     let inside = path("inside.wkt", "POLYGON ((1 1, 2 1, 2 2, 1 2))");
     let out = folder.path().join("x.14").display().to_string();
     let before = content(folder.path());
@@ -109,6 +112,8 @@ fn what_cannot_be_stitched_is_refused_with_the_place() {
         (&ocean, &area, &["meshes 1 and 2 overlap", "near ("]),
         (&river, &inside, &["no gap"]),
         (&river, &half, &["stays apart"]),
+        (&river, &zigzag, &["crosses the boundary edge at (10, ", "several times"]),
+        (&steep, &area, &["is not flat"]),
     ] {
         mindeg(["stitch", &ocean, other, "--within", area, "-o", &out]).refuses(words);
     }
@@ -190,12 +195,12 @@ fn fans_of_the_given_meshes_count() {
     let ends = [[0.0, 2.0], [0.0, -2.0]];
     let triangles = [[1, 2, 3], [1, 3, 4], [1, 4, 5], [1, 5, 6], [1, 6, 7], [2, 8, 3], [7, 6, 9]];
     for (name, turn) in [("west.obj", 1.0), ("east.obj", -1.0)] {
-        let points = fan.iter().chain(&ends).map(|[x, y]| [turn * (x - 1.5), turn * y]);
+        let points = fan.iter().chain(&ends).map(|[x, y]| [turn * (x - 2.0), turn * y]);
         let mut text: String = points.map(|[x, y]| format!("v {x} {y} 0\n")).collect();
         text.extend(triangles.map(|[a, b, c]| format!("f {a} {b} {c}\n")));
         fs::write(path(name), text).expect("a file");
     }
-    fs::write(path("gap.wkt"), "POLYGON ((-1.7 -1.5, 1.7 -1.5, 1.7 1.5, -1.7 1.5))")
+    fs::write(path("gap.wkt"), "POLYGON ((-2.2 -1.5, 2.2 -1.5, 2.2 1.5, -2.2 1.5))")
         .expect("a file");
     let out = path("both.14");
     let run =

@@ -192,6 +192,29 @@ fn coasts_by_chance_reach_the_angle_within_the_distance() {
     assert!(all > 60 && 2 * reached > all, "{reached} of {all}");
 }
 
+/// A triangle with two sides of length 5 and edges of about 1.
+fn wedge(degrees: f64) -> Vec<DVec2> {
+    let corners =
+        [DVec2::ZERO, DVec2::new(5.0, 0.0), 5.0 * DVec2::from_angle(degrees.to_radians())];
+    let side = |i: usize| {
+        let [from, to] = [corners[i], corners[(i + 1) % 3]];
+        let edges = from.distance(to).round() as u32;
+        (0..edges).map(move |edge| from.lerp(to, f64::from(edge) / f64::from(edges)))
+    };
+    (0..3).flat_map(side).collect()
+}
+
+#[test]
+fn edges_at_a_corner_are_in_no_strait() {
+    // Shorter edges beside a corner that is too sharp lift nothing; nor do they where there is only little room.
+    for (degrees, growth, left) in [(12.0, 0.0, 1), (30.0, 0.5, 0)] {
+        let demands = BoundaryDemands { growth, within: 0.0, ..BoundaryDemands::default() };
+        let found = conditioned(&[wedge(degrees)], &demands);
+        assert_eq!(count(&found, ChangeKind::Inserted), 0, "{degrees}");
+        assert_eq!(found.left.len(), left, "{degrees}: {:?}", found.left);
+    }
+}
+
 #[test]
 fn a_rock_in_a_bay_keeps_the_bay() {
     let bay = ring(&[
