@@ -62,6 +62,17 @@ fn two_meshes_are_joined_into_one_that_is_closed() {
 }
 
 #[test]
+fn values_at_vertices_that_either_file_has_are_told() {
+    let lower = cone(6, 1.0, 0.0) + "vn 0 0 1\n";
+    let upper = cone(6, 2.0, 3.0) + "vt 0 0\nvn 0 0 1\n";
+    let (_folder, run) = bridge(&[("lower.obj", &lower), ("upper.obj", &upper)], &["--json"]);
+    let kinds = ["normals of the file", "texture coordinates"];
+    let sentence = format!("\nNot in the mesh: {}.\n", kinds.join(", "));
+    assert!(run.errors.contains(&sentence), "{run:?}");
+    assert_eq!(run.json()["dropped"], json!(kinds));
+}
+
+#[test]
 fn a_higher_degree_is_taken_where_it_is_allowed() {
     let files = [("lower.obj", &*cone(12, 1.0, 0.0)), ("upper.obj", &*cone(7, 2.0, 3.0))];
     let (_folder, run) = bridge(&files, &["--json", "--max-degree", "9"]);

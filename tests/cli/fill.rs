@@ -86,6 +86,14 @@ fn a_cone_is_closed_and_the_summary_says_how() {
 
 /// Two vertices at one place are one on both sides of a seam: the apex has 4 edges, not 5.
 #[test]
+fn values_at_vertices_that_the_mesh_lacks_are_told() {
+    let cone = cone(6, 1.0, 0.0) + "vt 0 0\n";
+    let (_folder, run) = fill("cone.obj", &cone, &["--json"]);
+    assert!(run.errors.contains("\nNot in the mesh: texture coordinates.\n"), "{run:?}");
+    assert_eq!(run.json()["dropped"], json!(["texture coordinates"]));
+}
+
+#[test]
 fn the_degree_of_a_filled_mesh_counts_a_seam_once() {
     let cone = "v 0 0 1\nv 1 0 0\nv 0 1 0\nv -1 0 0\nv 0 -1 0\nv 1 0 0\nf 1 2 3\nf 1 3 4\nf 1 4 5\nf 1 5 6\n";
     let (folder, run) = fill("seam.obj", cone, &["--json"]);

@@ -131,6 +131,7 @@ fn tips_of_a_tetrahedron_are_proven() {
         .expect("a file");
     let made = mindeg(["remesh", text(&part), "-o", text(&file), "--size", "0.2", "--json"]);
     assert!(made.errors.contains("4 vertices have the degree that corners of the part force"));
+    assert!(made.errors.contains("; --feature-angle 180 may drop these corners."), "{made:?}");
     let made = made.json();
     assert_eq!(
         (made["off_degree"].as_array().map(Vec::len), made["degrees"][0].as_u64()),
@@ -140,6 +141,20 @@ fn tips_of_a_tetrahedron_are_proven() {
     assert_eq!(run.code, Some(0), "{run:?}");
     let proven = run.json()["proven"].as_array().cloned().expect("a list");
     assert_eq!((proven.len(), &proven[0]["allowed"]), (4, &serde_json::json!([3, 3])));
+}
+
+#[test]
+fn values_at_vertices_that_the_mesh_lacks_are_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [part, file] = ["part.obj", "mesh.stl"].map(|name| folder.path().join(name));
+    let sheet = "v 0 0 0 1 0 0\nv 4 0 0 1 0 0\nv 4 3 0 0 1 0\nv 0 3 0 0 0 1\nvt 0 0\nvn 0 0 1\n\
+                 f 1/1/1 2/1/1 3/1/1\nf 1/1/1 3/1/1 4/1/1\n";
+    fs::write(&part, sheet).expect("a file");
+    let made = mindeg(["remesh", text(&part), "-o", text(&file), "--size", "1", "--json"]);
+    let kinds = ["texture coordinates", "normals of the file", "colors"];
+    let sentence = format!("Not in the mesh: {}.", kinds.join(", "));
+    assert!(made.errors.contains(&sentence), "{made:?}");
+    assert_eq!(made.json()["dropped"], serde_json::json!(kinds));
 }
 
 #[test]

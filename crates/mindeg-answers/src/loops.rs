@@ -45,6 +45,8 @@ pub struct FillAnswer {
     /// The loops that stay open.
     pub left_open: Vec<OpenLoop>,
     crossings: Vec<[u32; 2]>,
+    /// The kinds of values at vertices that files have and the mesh lacks.
+    dropped: Vec<&'static str>,
 }
 
 /// A loop that was filled.
@@ -144,6 +146,7 @@ impl FillAnswer {
                 .map(|left| OpenLoop { name: name(left.index), reason: left.reason.clone() })
                 .collect(),
             crossings: result.crossings.clone(),
+            dropped: result.mesh.dropped().to_vec(),
         }
     }
 
@@ -174,7 +177,7 @@ impl FillAnswer {
         if open > DESCRIBED {
             text += &format!("\n  and {} more stay open", open - DESCRIBED);
         }
-        text + &crossing_text(&self.crossings)
+        text + &crossing_text(&self.crossings) + &dropped_text(&self.dropped)
     }
 }
 
@@ -197,6 +200,8 @@ pub struct BridgeAnswer {
     degree_without_limit: u32,
     planar: bool,
     crossings: Vec<[u32; 2]>,
+    /// The kinds of values at vertices that files have and the mesh lacks.
+    dropped: Vec<&'static str>,
     #[serde(skip)]
     turned_over: Option<f64>,
 }
@@ -221,6 +226,7 @@ impl BridgeAnswer {
             degree_without_limit: strip.without_limit.1,
             planar: strip.is_planar,
             crossings: result.crossings.clone(),
+            dropped: result.mesh.dropped().to_vec(),
             turned_over: result.turned_over,
         }
     }
@@ -257,7 +263,15 @@ impl BridgeAnswer {
                 steady_angle(turned)
             );
         }
-        text + &crossing_text(&self.crossings)
+        text + &crossing_text(&self.crossings) + &dropped_text(&self.dropped)
+    }
+}
+
+/// The sentence on what the mesh lacks, on a line of its own; empty if that is nothing.
+fn dropped_text(dropped: &[&str]) -> String {
+    match dropped {
+        [] => String::new(),
+        kinds => format!("\nNot in the mesh: {}.", kinds.join(", ")),
     }
 }
 

@@ -111,7 +111,7 @@ impl RemeshAnswer {
             crossings: verified.crossings.len(),
             part_crossings: verified.part_crossings,
             repairs: found.repairs,
-            dropped: found.dropped.clone(),
+            dropped: [&found.dropped, part.dropped()].concat(),
             defects: found.defects().collect(),
         }
     }
@@ -158,7 +158,7 @@ impl RemeshAnswer {
         }
         if let Some(first) = self.proven.first() {
             lines.push(format!(
-                "{} the degree that corners of the part force, the first is vertex {} with {}.",
+                "{} the degree that corners of the part force, the first is vertex {} with {}; --feature-angle 180 may drop these corners.",
                 things(self.proven.len(), "vertex has", "vertices have"),
                 first.vertex,
                 first.degree

@@ -323,6 +323,24 @@ fn files_of_other_programs_are_read_and_faults_are_named() {
 }
 
 #[test]
+fn values_of_a_ply_that_are_not_read_are_told() {
+    let dropped = |vertex: &str, face: &str, values: &str, end: &str| {
+        let file = format!(
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n{vertex}\
+             element face 1\nproperty list uchar int vertex_index\n{face}end_header\n\
+             0 0{values}\n1 0{values}\n0 1{values}\n3 0 1 2{end}\n"
+        );
+        mindeg_formats::ply::read(file.as_bytes()).unwrap().dropped().to_vec()
+    };
+    assert!(dropped("", "", "", "").is_empty());
+    assert!(dropped("property float quality\n", "", " 1", "").is_empty());
+    let vertex = "property float nx\nproperty uchar red\n";
+    assert_eq!(dropped(vertex, "", " 1 255", ""), ["normals of the file", "colors"]);
+    let face = "property list uchar float texcoord\n";
+    assert_eq!(dropped("", face, "", " 2 0.5 0.5"), ["texture coordinates"]);
+}
+
+#[test]
 fn faces_that_are_not_convex_are_cut_within() {
     let points = "3 0 0\n3 1 0\n1 1 0\n1 3 0\n0 3 0\n0 0 0\n";
     let file = format!("OFF\n6 1 0\n{points}6 0 1 2 3 4 5\n");

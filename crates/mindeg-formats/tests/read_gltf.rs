@@ -349,6 +349,19 @@ fn lines_between_vertices_of_triangles_are_kept() {
 }
 
 #[test]
+fn values_at_vertices_that_are_not_read_are_told() {
+    let dropped = |attributes: Value| {
+        let document = with(square(&[0, 1, 2]), "/meshes/0/primitives/0/attributes", attributes);
+        read(&document).unwrap().dropped().to_vec()
+    };
+    assert!(dropped(json!({"POSITION": 0, "_WIND": 0})).is_empty());
+    let textures = json!({"POSITION": 0, "TEXCOORD_0": 0, "TEXCOORD_1": 0, "COLOR_0": 0});
+    assert_eq!(dropped(textures), ["texture coordinates", "second texture coordinates", "colors"]);
+    let normals = json!({"POSITION": 0, "NORMAL": 0, "TANGENT": 0});
+    assert_eq!(dropped(normals), ["normals of the file", "tangents"]);
+}
+
+#[test]
 fn a_byte_order_mark_is_passed_over() {
     let document = format!("\u{feff}{}", square(&TWO));
     assert!(gltf::read(document.as_bytes(), no_files).is_ok());

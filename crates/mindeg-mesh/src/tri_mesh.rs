@@ -50,6 +50,7 @@ pub struct TriMesh {
     polygons: Option<Polygons>,
     non_triangles: NonTriangles,
     notes: Vec<String>,
+    dropped: Vec<&'static str>,
     rounding: Option<f64>,
     degrees: Degrees,
 }
@@ -114,6 +115,7 @@ impl TriMesh {
             polygons: None,
             non_triangles: NonTriangles::default(),
             notes: Vec::new(),
+            dropped: Vec::new(),
             rounding: None,
             degrees: Degrees::default(),
         })
@@ -262,6 +264,13 @@ impl TriMesh {
         Self { notes, ..self }
     }
 
+    /// The same mesh with the kinds of values at vertices or corners that its file has and the mesh
+    /// lacks, such as `"texture coordinates"`.
+    #[must_use]
+    pub fn with_dropped(self, dropped: Vec<&'static str>) -> Self {
+        Self { dropped, ..self }
+    }
+
     /// The same mesh, whose coordinates may be off by `rounding`, in units of length.
     ///
     /// A reader of 32-bit floats gives 2^-24 times the largest coordinate in the file, times the
@@ -314,6 +323,11 @@ impl TriMesh {
     /// The contents of the file that the mesh lacks, one short phrase each.
     pub fn notes(&self) -> &[String] {
         &self.notes
+    }
+
+    /// The kinds of values at vertices or corners that the file has and the mesh lacks.
+    pub fn dropped(&self) -> &[&'static str] {
+        &self.dropped
     }
 
     /// The largest error of each coordinate, in units of length: the value of
@@ -417,6 +431,7 @@ mod tests {
                 .with_polygons(Polygons { triangle_starts: vec![0, 2], corners: vec![0, 1, 2, 3] }),
             mesh().with_non_triangles(NonTriangles { points: 1, ..NonTriangles::default() }),
             mesh().with_notes(vec!["a note".to_owned()]),
+            mesh().with_dropped(vec!["colors"]),
             mesh().with_rounding(0.5),
         ] {
             assert_ne!(mesh(), other);

@@ -55,7 +55,7 @@ pub(crate) struct BridgeArguments {
 
     /// Print JSON: from and to (loop, vertices, first_vertex), vertices, triangles, strip (its
     /// triangles), max_degree, least_max_degree, at_least, min_angle, next_min_angle,
-    /// angle_without_limit, degree_without_limit, planar, crossings (pairs of triangles), files.
+    /// angle_without_limit, degree_without_limit, planar, crossings (pairs of triangles), dropped, files.
     /// Loops are counted from 1, vertices and triangles from 0
     #[arg(long)]
     pub(crate) json: bool,

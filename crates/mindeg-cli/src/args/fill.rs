@@ -61,7 +61,7 @@ pub(crate) struct FillArguments {
 
     /// Print JSON: file, vertices, triangles, max_degree, filled (loop, vertices, first_vertex,
     /// limit, max_degree, area, area_without_limit, least_limit, area_at_least_limit, degree_without_limit, min_angle,
-    /// triangles), left_open (loop, vertices, first_vertex, reason), crossings (pairs of triangles), files.
+    /// triangles), left_open (loop, vertices, first_vertex, reason), crossings (pairs of triangles), dropped, files.
     /// Loops are counted from 1, vertices and triangles from 0
     #[arg(long)]
     pub(crate) json: bool,

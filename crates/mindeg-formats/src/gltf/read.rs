@@ -84,7 +84,8 @@ pub fn read(
         .with_groups(surface.groups)
         .with_lines(surface.lines, surface.segments)?
         .with_non_triangles(surface.non_triangles)
-        .with_notes(surface.notes.list());
+        .with_notes(surface.notes.list())
+        .with_dropped(surface.notes.dropped);
     // A transform that overflows f64 gives no finite position.
     Ok(mesh.with_rounding(surface.rounding.min(f64::MAX)))
 }
@@ -95,6 +96,8 @@ struct Notes {
     skins: usize,
     morphs: usize,
     instances: usize,
+    /// The kinds of values at vertices that are not read.
+    dropped: Vec<&'static str>,
 }
 
 impl Notes {
@@ -195,6 +198,11 @@ impl<'a> Surface<'a> {
         let Some((node, mesh_index, mesh)) = self.mesh_of(index)? else { return Ok(()) };
         self.notes.skins += usize::from(node.skin.is_some());
         self.notes.instances += usize::from(node.extensions.instancing.is_some());
+        for (kind, is_there) in mesh.primitives.iter().flat_map(|it| it.attributes.dropped()) {
+            if is_there && !self.notes.dropped.contains(&kind) {
+                self.notes.dropped.push(kind);
+            }
+        }
         let has_targets = |primitive: &Primitive| !primitive.targets.is_empty();
         self.notes.morphs += usize::from(mesh.primitives.iter().any(has_targets));
         let first_triangle = self.triangles.len();

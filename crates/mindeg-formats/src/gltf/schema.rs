@@ -166,6 +166,29 @@ pub(super) struct Primitive {
 pub(super) struct Attributes {
     #[serde(rename = "POSITION")]
     pub(super) position: Option<Whole>,
+    #[serde(rename = "TEXCOORD_0")]
+    texture: Option<IgnoredAny>,
+    #[serde(rename = "TEXCOORD_1")]
+    second_texture: Option<IgnoredAny>,
+    #[serde(rename = "NORMAL")]
+    normal: Option<IgnoredAny>,
+    #[serde(rename = "TANGENT")]
+    tangent: Option<IgnoredAny>,
+    #[serde(rename = "COLOR_0")]
+    color: Option<IgnoredAny>,
+}
+
+impl Attributes {
+    /// The kinds of values that are not read, and whether they are there.
+    pub(super) fn dropped(&self) -> [(&'static str, bool); 5] {
+        [
+            ("texture coordinates", self.texture.is_some()),
+            ("second texture coordinates", self.second_texture.is_some()),
+            ("normals of the file", self.normal.is_some()),
+            ("tangents", self.tangent.is_some()),
+            ("colors", self.color.is_some()),
+        ]
+    }
 }
 
 #[derive(Deserialize)]

@@ -128,6 +128,7 @@ struct Contents {
     vertices: Numbered,
     texture_coordinates: Numbered,
     normals: Numbered,
+    has_colors: bool,
     /// The first texture coordinate and the first normal that were counted back too far.
     missing: [Option<Unknown>; 2],
     /// The vertices of the element in the line.
@@ -201,13 +202,13 @@ impl Contents {
             *coordinate = self.coordinate(word)?;
         }
         let mut point = DVec3::from_array(point);
-        if let Some(weight) = words.next()
-            && words.next().is_none()
-        {
-            point /= self.coordinate(weight)?;
-            if !point.is_finite() {
-                return Err(self.problem("a vertex divided by its weight is not finite"));
-            }
+        match (words.next(), words.next()) {
+            (None, _) => {}
+            (Some(_), Some(_)) => self.has_colors = true,
+            (Some(weight), None) => point /= self.coordinate(weight)?,
+        }
+        if !point.is_finite() {
+            return Err(self.problem("a vertex divided by its weight is not finite"));
         }
         push(&mut self.positions, point)?;
         self.vertices.count += 1;
@@ -378,6 +379,12 @@ impl Contents {
 
     fn into_mesh(mut self, colors: &HashMap<String, [f32; 4]>) -> Result<TriMesh, ReadError> {
         self.check()?;
+        let dropped = [
+            ("texture coordinates", self.texture_coordinates.count > 0),
+            ("normals of the file", self.normals.count > 0),
+            ("colors", self.has_colors),
+        ];
+        let dropped = dropped.into_iter().filter(|(_, is_there)| *is_there).map(|(kind, _)| kind);
         self.lines
             .iter_mut()
             .filter(|line| line.name.is_empty())
@@ -386,6 +393,7 @@ impl Contents {
         self.non_triangles.line_segments = self.segments.len() as u64;
         self.materials.give_to(&mut self.groups, colors);
         let mesh = self.faces.into_mesh(self.positions, self.non_triangles)?;
+        let mesh = mesh.with_dropped(dropped.collect());
         Ok(mesh.with_groups(self.groups).with_lines(self.lines, self.segments)?)
     }
 }

@@ -59,6 +59,7 @@ pub fn read(mut input: impl BufRead) -> Result<TriMesh, ReadError> {
         short: 0,
         passed_over: Vec::new(),
     };
+    let dropped = dropped(&header);
     for element in &header.elements {
         match &*element.name {
             "vertex" => contents.take_vertices(element)?,
@@ -66,7 +67,23 @@ pub fn read(mut input: impl BufRead) -> Result<TriMesh, ReadError> {
             _ => contents.pass_over(element)?,
         }
     }
-    contents.into_mesh()
+    Ok(contents.into_mesh()?.with_dropped(dropped))
+}
+
+/// The kinds of values at vertices and corners that the mesh lacks, by the names that programs give them.
+fn dropped(header: &Header) -> Vec<&'static str> {
+    let kinds: [(_, &[&str]); 3] = [
+        ("texture coordinates", &["s", "u", "texture_u", "texcoord"]),
+        ("normals of the file", &["nx"]),
+        ("colors", &["red", "r", "diffuse_red"]),
+    ];
+    let properties = || {
+        let elements = header.elements.iter().filter(|element| element.count > 0);
+        let whole = elements.filter(|element| matches!(&*element.name, "vertex" | "face"));
+        whole.flat_map(|element| &element.properties)
+    };
+    let is_there = |names: &[&str]| properties().any(|it| names.contains(&&*it.name));
+    kinds.into_iter().filter(|(_, names)| is_there(names)).map(|(kind, _)| kind).collect()
 }
 
 /// Where the numbers of the rows come from.

@@ -148,6 +148,9 @@ impl TriMesh {
             points: a.points + b.points,
         };
         self.notes.extend(other.notes.iter().cloned());
+        let missing = |kind: &&&str| !self.dropped.contains(kind);
+        let more: Vec<_> = other.dropped.iter().filter(missing).copied().collect();
+        self.dropped.extend(more);
         self.rounding = match (self.rounding, other.rounding) {
             (Some(a), Some(b)) => Some(a.max(b)),
             (a, b) => a.or(b),
