@@ -302,3 +302,21 @@ fn lines_inside_are_no_boundaries_of_an_ocean_model() {
     let sides = grid.triangles.iter().flat_map(|t| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]]);
     assert_eq!(sides.filter(|[a, b]| beside(*a, *b) == 1).count(), edges);
 }
+
+#[test]
+fn depths_that_a_format_leaves_out_are_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = |name: &str| folder.path().join(name).display().to_string();
+    let terrain = "MESH2D\nE3T 1 1 2 3 1\nND 1 0 0 5\nND 2 1 0 6\nND 3 1 1 7\n";
+    fs::write(at("terrain.2dm"), terrain).expect("a file");
+    for (name, is_told) in [("surface.obj", true), ("bed.14", false)] {
+        let run = mindeg(["convert", &at("terrain.2dm"), "-o", &at(name)]);
+        assert_eq!(run.code, Some(0), "{}", run.errors);
+        assert_eq!(
+            run.errors.contains(&format!("{name} leaves out the depths")),
+            is_told,
+            "{}",
+            run.errors
+        );
+    }
+}

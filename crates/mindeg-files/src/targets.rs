@@ -134,16 +134,21 @@ impl<'a> Targets<'a> {
     /// What files leave out of the meshes that they get, a sentence each.
     pub fn left_out<'m>(&self, mesh_for: impl Fn(Format) -> &'m dyn Mesh) -> Vec<String> {
         let told = |target: &Target| {
-            let names = target.format.lines_left_out(mesh_for(target.format));
+            let mesh = mesh_for(target.format);
+            let names = target.format.lines_left_out(mesh);
             let some = names.iter().take(MOST_NAMES).cloned().collect::<Vec<_>>().join(", ");
             let more = if names.len() > MOST_NAMES { ", …" } else { "" };
             let path = target.path.display();
             let lines = if names.len() == 1 { "a line" } else { "lines" };
-            (!names.is_empty()).then(|| {
+            let lines = (!names.is_empty()).then(|| {
                 format!("{path} leaves out {lines} inside, since the format has boundaries alone: {some}{more}")
-            })
+            });
+            let depths = target.format.leaves_out_depths(mesh).then(|| {
+                format!("{path} leaves out the depths, since the format has no place for them; .14, .gr3, .2dm, .slf and .nc have one")
+            });
+            lines.into_iter().chain(depths)
         };
-        self.targets.iter().filter_map(told).collect()
+        self.targets.iter().flat_map(told).collect()
     }
 
     /// Whether one of them goes where this process prints.

@@ -131,6 +131,25 @@ impl Format {
         chains.leave_out_inner().into_iter().map(str::to_owned).collect()
     }
 
+    /// Whether the mesh has depths and a file of this format leaves them out. O(n) time; pictures have no place for numbers
+    /// and leave out nothing.
+    #[must_use]
+    pub fn leaves_out_depths(self, mesh: &dyn Mesh) -> bool {
+        const BLOCK: u32 = 1 << 12;
+        let has_a_place = matches!(self, Self::Fort14 | Self::Slf | Self::Ugrid | Self::Sms2dm);
+        if has_a_place || matches!(self, Self::Svg | Self::Png) {
+            return false;
+        }
+        let count = mesh.vertex_count();
+        let mut depths = Vec::new();
+        (0..count).step_by(BLOCK as usize).any(|first| {
+            depths.clear();
+            depths.resize((count - first).min(BLOCK) as usize, 0.0);
+            mesh.fill_depths(first, &mut depths);
+            depths.iter().any(|&depth: &f64| depth != 0.0)
+        })
+    }
+
     /// Whether solvers, which need to know the boundary, read the format.
     #[must_use]
     pub fn has_boundary(self) -> bool {

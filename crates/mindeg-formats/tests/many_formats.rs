@@ -462,6 +462,9 @@ fn depths_are_heights_of_the_bed_in_a_2dm() {
     read.fill_depths(0, &mut depths);
     assert_eq!(depths, [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]);
     assert_eq!(read.positions(), mesh.positions());
+    // No other file loses them in silence.
+    assert!(Format::Obj.leaves_out_depths(&mesh) && !Format::Obj.leaves_out_depths(&ring()));
+    assert!(!Format::Sms2dm.leaves_out_depths(&mesh) && !Format::Svg.leaves_out_depths(&mesh));
     // A surface that folds back keeps its place in space.
     let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 1.0], [0.0, 1.0, 2.0], [1.0, 1.0, 3.0]];
     let points = points.map(DVec3::from).to_vec();
