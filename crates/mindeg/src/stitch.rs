@@ -1,6 +1,6 @@
 //! Meshes of the plane joined by a mesh of the gap between them.
 //!
-//! The gap is what an area has outside the meshes. It gets points inside, as [`interior`](crate::interior) makes them, with the degrees of
+//! The gap is what an area has outside the meshes. It gets points inside, as [`interior`] makes them, with the degrees of
 //! the given triangles counted where they meet. The meshes stay: vertices, triangles, groups and names keep their indices, and no edge is
 //! divided. The new triangles form the group `stitch`, at the end.
 //!
