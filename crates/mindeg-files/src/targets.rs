@@ -144,7 +144,7 @@ impl<'a> Targets<'a> {
                 format!("{path} leaves out {lines} inside, since the format has boundaries alone: {some}{more}")
             });
             let depths = target.format.leaves_out_depths(mesh).then(|| {
-                format!("{path} leaves out the depths, since the format has no place for them; .14, .gr3, .2dm, .slf and .nc have one")
+                format!("{path} leaves out the depths, since the format has no place for them; those of ocean models have one")
             });
             lines.into_iter().chain(depths)
         };
