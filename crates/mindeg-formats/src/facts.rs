@@ -26,6 +26,10 @@ pub(crate) struct Facts {
     pub(crate) has_boundary: bool,
     /// Whether a file has a place for how its mesh was made.
     pub(crate) has_remarks: bool,
+    /// Whether depths are lost in a file, where a reader would look for them.
+    pub(crate) leaves_out_depths: bool,
+    /// Whether lines inside are lost, since a file has a place for boundaries alone.
+    pub(crate) leaves_out_lines_inside: bool,
     /// Whether the format wants degrees where the plane is a projection of them.
     pub(crate) in_degrees: bool,
     /// Whether a file begins as this format alone does. Blanks at its start are left out.
@@ -63,6 +67,8 @@ impl Facts {
         library: None,
         has_boundary: false,
         has_remarks: true,
+        leaves_out_depths: true,
+        leaves_out_lines_inside: false,
         in_degrees: false,
         begins: |_| false,
         first_words: &[],

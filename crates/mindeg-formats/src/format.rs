@@ -124,7 +124,7 @@ impl Format {
     /// boundaries alone. O(n log n) time for fort.14, none for others.
     #[must_use]
     pub fn lines_left_out(self, mesh: &dyn Mesh) -> Vec<String> {
-        if self != Self::Fort14 {
+        if !self.facts().leaves_out_lines_inside {
             return Vec::new();
         }
         let mut chains = MarkedChains::of(mesh);
@@ -135,19 +135,7 @@ impl Format {
     /// and leave out nothing.
     #[must_use]
     pub fn leaves_out_depths(self, mesh: &dyn Mesh) -> bool {
-        const BLOCK: u32 = 1 << 12;
-        let has_a_place = matches!(self, Self::Fort14 | Self::Slf | Self::Ugrid | Self::Sms2dm);
-        if has_a_place || matches!(self, Self::Svg | Self::Png) {
-            return false;
-        }
-        let count = mesh.vertex_count();
-        let mut depths = Vec::new();
-        (0..count).step_by(BLOCK as usize).any(|first| {
-            depths.clear();
-            depths.resize((count - first).min(BLOCK) as usize, 0.0);
-            mesh.fill_depths(first, &mut depths);
-            depths.iter().any(|&depth: &f64| depth != 0.0)
-        })
+        self.facts().leaves_out_depths && mesh.has_depths()
     }
 
     /// Whether solvers, which need to know the boundary, read the format.

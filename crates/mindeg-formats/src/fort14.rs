@@ -21,6 +21,8 @@ pub(crate) const FACTS: Facts = Facts {
     name: "fort14",
     description: "ADCIRC fort.14 or SCHISM hgrid.gr3",
     extensions: &["14", "grd", "gr3"],
+    leaves_out_depths: false,
+    leaves_out_lines_inside: true,
     has_boundary: true,
     in_degrees: true,
     fits,

@@ -16,6 +16,7 @@ pub(crate) const FACTS: Facts = Facts {
     name: "png",
     description: "a picture in pixels",
     extensions: &["png"],
+    leaves_out_depths: false,
     has_remarks: false,
     begins: |text| text.starts_with(b"\x89PNG"),
     #[cfg(feature = "png")]

@@ -25,6 +25,7 @@ pub(crate) const FACTS: Facts = Facts {
     name: "slf",
     description: "TELEMAC SELAFIN",
     extensions: &["slf"],
+    leaves_out_depths: false,
     files: &["slf", "cli"],
     has_boundary: true,
     // 80 bytes are too few.

@@ -26,6 +26,7 @@ pub(crate) const FACTS: Facts = Facts {
     name: "2dm",
     description: "SMS .2dm",
     extensions: &["2dm"],
+    leaves_out_depths: false,
     has_boundary: true,
     first_words: &["MESH2D"],
     read: Some(|source| read(source.input)),

@@ -25,6 +25,7 @@ pub(crate) const FACTS: Facts = Facts {
     name: "ugrid",
     description: "UGRID NetCDF",
     extensions: &["nc"],
+    leaves_out_depths: false,
     has_boundary: true,
     begins: |bytes| matches!(bytes, [b'C', b'D', b'F', 1 | 2 | 5, ..]),
     max_vertices: MAX_BYTES / 8,
@@ -119,9 +120,7 @@ fn variables(mesh: &dyn Mesh, edges: u32) -> Vec<Variable<'_>> {
         all.push(Variable::whole("boundary_id", &[EDGE], attributes, values));
     }
     let depths = |range| filled(range, 0.0, |first, out| mesh.fill_depths(first, out));
-    if (0..vertices).step_by(4096).any(|start| {
-        depths(start..start.saturating_add(4096).min(vertices)).iter().any(|depth| *depth != 0.0)
-    }) {
+    if mesh.has_depths() {
         let attributes = vec![
             ("long_name", text("depth")),
             ("positive", text("down")),

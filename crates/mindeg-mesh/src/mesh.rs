@@ -39,6 +39,17 @@ pub trait Positions: Sync {
         out.fill(0.0);
     }
 
+    /// Whether a vertex has a depth other than 0. O(n).
+    fn has_depths(&self) -> bool {
+        const BLOCK: u32 = 1 << 12;
+        let count = self.vertex_count();
+        (0..count).step_by(BLOCK as usize).any(|first| {
+            let block = first..first.saturating_add(BLOCK).min(count);
+            let depths = filled(block, 0.0, |first, out| self.fill_depths(first, out));
+            depths.iter().any(|depth| *depth != 0.0)
+        })
+    }
+
     /// Whether consecutive vertices, and the last and the first, are neighbours on one boundary:
     /// then no two of them may become one point in a file.
     fn is_ring(&self) -> bool {

@@ -314,7 +314,7 @@ impl<'a> Joining<'a> {
         let start = whole.triangles().len() as u32;
         let mut groups = whole.groups().to_vec();
         groups.push(mindeg_mesh::Group::new(STITCH, start..triangles.len() as u32));
-        // What the gap has covered is no boundary any more.
+        // Where the gap has covered it, boundary is none any more.
         let is_covered = |ends: &[u32; 2]| {
             let runs = |map: &BTreeMap<u32, u32>, [from, to]: [u32; 2]| map.get(&from) == Some(&to);
             let both = [*ends, [ends[1], ends[0]]];
@@ -340,7 +340,6 @@ impl<'a> Joining<'a> {
         }
         let mut depths = vec![0.0; points.len()];
         whole.fill_depths(0, &mut depths);
-        let has_depths = depths.iter().any(|depth| *depth != 0.0);
         let mesh = TriMesh::new(positions, triangles)?
             .with_groups(groups)
             .with_lines(of_lines, segments)?
@@ -350,7 +349,7 @@ impl<'a> Joining<'a> {
             Some(name) => mesh.named(name),
             None => mesh,
         };
-        let mesh = match has_depths {
+        let mesh = match whole.has_depths() {
             true => mesh.with_depths(depths_between(depths, &flat, &new.triangles)),
             false => mesh,
         };
