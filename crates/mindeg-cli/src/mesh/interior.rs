@@ -21,6 +21,7 @@ use mindeg_answers::numbers::{count, four_digits};
 use mindeg_answers::sizes::{coarse_sides, sizes};
 use mindeg_files::{Input, PolygonFile};
 use serde::Serialize;
+use std::borrow::Cow;
 
 /// The output of `--json`.
 #[derive(Serialize)]
@@ -157,11 +158,11 @@ fn with_depths(
 }
 
 /// The domains with their boundaries conditioned, if that is wanted, and the changes, which are drawn where a file is given.
-fn conditioned(
+fn conditioned<'d>(
     arguments: &MeshArguments,
-    domains: &[Domain],
-) -> Result<(Vec<Domain>, Option<ConditionAnswer>), Failure> {
-    let Some(angle) = arguments.condition else { return Ok((domains.to_vec(), None)) };
+    domains: &'d [Domain],
+) -> Result<(Cow<'d, [Domain]>, Option<ConditionAnswer>), Failure> {
+    let Some(angle) = arguments.condition else { return Ok((Cow::Borrowed(domains), None)) };
     let change = &arguments.change;
     let demands = change.demands(angle, arguments.domain.options.size, None);
     let (new, conditioned) = interior::condition_all(domains, &demands, &change.keep)
@@ -170,7 +171,12 @@ fn conditioned(
     if let Some(path) = &change.changes {
         write_texts(&[(answer.drawn(domains, &new).to_string(), path)])?;
     }
-    Ok((new, Some(answer)))
+    Ok((Cow::Owned(new), Some(answer)))
+}
+
+/// The text on the changes of a boundary, without a line break at its end.
+fn words_on(conditioned: Option<&ConditionAnswer>, name: &str) -> Option<String> {
+    conditioned.map(|answer| answer.text(name).trim_end().to_owned())
 }
 
 /// Meshes a domain with interior points.
@@ -209,9 +215,7 @@ pub(super) fn run(
         conditioned: conditioned.as_ref(),
     };
     let said = || {
-        let words = conditioned.as_ref().map(|answer| answer.text(&name(domain)));
-        words
-            .map(|words| words.trim_end().to_owned())
+        words_on(conditioned.as_ref(), &name(domain))
             .into_iter()
             .chain([text(&name(domain), &found, &lifting, &summary)])
             .chain(depth_words)
@@ -271,9 +275,7 @@ pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Res
         format!("{name}: {regions} regions in {} {parts}", domains.len())
     };
     let said = || {
-        let words = conditioned.as_ref().map(|answer| answer.text(&shown(name.unwrap_or("map"))));
-        words
-            .map(|words| words.trim_end().to_owned())
+        words_on(conditioned.as_ref(), &shown(name.unwrap_or("map")))
             .into_iter()
             .chain([text(&title(), &found, &lifting, &summary)])
             .chain(depth_words)

@@ -59,17 +59,25 @@ pub fn condition_all(
         domain.placement().points().chain(domain.inner_points().iter().copied()).collect()
     };
     let mut points: Vec<Vec<DVec2>> = domains.iter().map(all_points).collect();
+    let mut boxes: Vec<_> = domains.iter().map(|domain| domain.placement().bounds()).collect();
     let mut found: (Vec<Domain>, Vec<Conditioned>) = Default::default();
     for (index, domain) in domains.iter().enumerate() {
-        let bounds = domain.placement().bounds();
+        let bounds = boxes[index];
+        let is_beside = |other: usize| {
+            let other_box = boxes[other];
+            other != index
+                && other_box.min.cmple(bounds.max).all()
+                && other_box.max.cmpge(bounds.min).all()
+        };
         let is_near =
             |point: &DVec2| point.cmpge(bounds.min).all() && point.cmple(bounds.max).all();
-        let others = points.iter().enumerate().filter(|(other, _)| *other != index);
+        let others = points.iter().enumerate().filter(|(other, _)| is_beside(*other));
         let near: Vec<DVec2> =
             others.flat_map(|(_, points)| points).copied().filter(is_near).collect();
         let (new, conditioned) =
             condition_beside(domain, demands, kept, &near).map_err(|error| (index, error))?;
         points[index] = all_points(&new);
+        boxes[index] = new.placement().bounds();
         found.0.push(new);
         found.1.push(conditioned);
     }
