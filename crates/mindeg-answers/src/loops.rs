@@ -267,12 +267,14 @@ impl BridgeAnswer {
     }
 }
 
-/// The sentence on what the mesh lacks, on a line of its own; empty if that is nothing.
+/// The sentence on the kinds of values that files have and a mesh lacks, if there are some.
+pub(crate) fn not_in_the_mesh(dropped: &[&str]) -> Option<String> {
+    (!dropped.is_empty()).then(|| format!("Not in the mesh: {}.", dropped.join(", ")))
+}
+
+/// The same on a line of its own.
 fn dropped_text(dropped: &[&str]) -> String {
-    match dropped {
-        [] => String::new(),
-        kinds => format!("\nNot in the mesh: {}.", kinds.join(", ")),
-    }
+    not_in_the_mesh(dropped).map_or_else(String::new, |sentence| format!("\n{sentence}"))
 }
 
 /// A remark on new triangles that cross others, on a line of its own; empty if none do.

@@ -1,5 +1,6 @@
 //! What a remesh reached.
 
+use crate::loops::not_in_the_mesh;
 use crate::numbers::{count, four_digits, percent, steady_angle};
 use crate::surface::{Distance, ProvenVertex};
 use mindeg::remesh::RemeshedPart;
@@ -180,9 +181,7 @@ impl RemeshAnswer {
                 count(self.part_crossings as u64)
             ));
         }
-        if !self.dropped.is_empty() {
-            lines.push(format!("Not in the mesh: {}.", self.dropped.join(", ")));
-        }
+        lines.extend(not_in_the_mesh(&self.dropped));
         lines.join("\n")
     }
 

@@ -1,4 +1,4 @@
-//! What joining meshes did.
+//! The figures of meshes that were joined.
 
 use crate::numbers::{count, steady_angle};
 use mindeg::stitch::Stitched;
@@ -42,7 +42,7 @@ pub struct StitchAnswer {
     pub min_angle: f64,
     /// The boundary vertices of given meshes that lie inside now.
     pub joined: usize,
-    /// Those of them with fewer than 5 or more than 7 edges.
+    /// The joined vertices with fewer than 5 or more than 7 edges.
     pub outside_5_to_7: Vec<JoinedVertex>,
 }
 

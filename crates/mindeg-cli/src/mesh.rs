@@ -54,7 +54,7 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
     }
 }
 
-/// What is to be meshed. If its boundary is conditioned, its edges get their lengths so.
+/// The domain or model that is to be meshed. If its boundary is conditioned, its edges get their lengths so.
 fn opened(arguments: &MeshArguments) -> Result<Subject, Failure> {
     let bar = Bar::new(arguments.quiet);
     if arguments.condition.is_none() {

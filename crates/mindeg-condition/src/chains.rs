@@ -78,8 +78,7 @@ impl Chains {
         let mut first = edge;
         for line in 0..boundary.line_count() {
             let segments = boundary.line(line);
-            let [start, end] = [segments.first(), segments.last()];
-            let is_closed = start.map(|ends| ends[0]) == end.map(|ends| ends[1]);
+            let is_closed = is_closed(segments);
             let last = first + segments.len() as u32 - u32::from(is_closed);
             let link = |at: u32, end: u32, to: u32, around: u32| match at == end {
                 true if is_closed => around,
@@ -92,7 +91,7 @@ impl Chains {
                 vertex(ends[0], edge, links, rings + line);
                 edge += 1;
             }
-            if let (false, Some(ends)) = (is_closed, end) {
+            if let (false, Some(ends)) = (is_closed, segments.last()) {
                 vertex(ends[1], edge - 1, [last - 1, NONE], rings + line);
             }
             first = last + 1;
@@ -306,6 +305,11 @@ impl Chains {
     pub(crate) fn is_kept_edge(&self, vertex: u32) -> bool {
         self.vertices[vertex as usize].hold == Hold::Edge
     }
+}
+
+/// Whether a line ends where it begins.
+pub(crate) fn is_closed(segments: &[[u32; 2]]) -> bool {
+    segments.first().map(|ends| ends[0]) == segments.last().map(|ends| ends[1])
 }
 
 /// The greatest distance of some points from a segment.

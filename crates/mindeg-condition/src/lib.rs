@@ -38,7 +38,7 @@ pub use changes::{BoundaryChange, ChangeKind, Left, Point, Reason};
 pub use demands::{BoundaryDemands, Hold, LEAST_GROWTH};
 pub use error::ConditionError;
 
-use crate::chains::Chains;
+use crate::chains::{Chains, is_closed};
 use glam::DVec2;
 use mindeg_mesh::planar::PlanarBoundary;
 use std::collections::{BTreeMap, BTreeSet};
@@ -137,8 +137,7 @@ fn check(
         .zip(lines)
         .map(|(line, points)| {
             let mut vertices: Vec<u32> = points.iter().map(&mut vertex).collect();
-            let ends = [old.line(line).first(), old.line(line).last()];
-            if ends[0].map(|ends| ends[0]) == ends[1].map(|ends| ends[1]) {
+            if is_closed(old.line(line)) {
                 vertices.extend(vertices.first().copied());
             }
             vertices

@@ -231,7 +231,7 @@ impl CheckedOutline<'_> {
     /// Whether the open segment from a to b meets a boundary edge, or passes its first end.
     fn is_in_the_way(&self, [c, d]: [u32; 2], [a, b]: [u32; 2]) -> bool {
         let [p, q, r, s] = [a, b, c, d].map(|vertex| self.points[vertex as usize]);
-        // Most edges are elsewhere. What a chord passes is within less than a thousandth of its length.
+        // Most edges are elsewhere. All that a chord passes is within less than a thousandth of its length.
         let near = 0.01 * (p - q).abs().max_element();
         if (r.max(s) + near).cmplt(p.min(q)).any() || (r.min(s) - near).cmpgt(p.max(q)).any() {
             return false;

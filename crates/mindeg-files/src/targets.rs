@@ -131,7 +131,7 @@ impl<'a> Targets<'a> {
         in_degrees.map(Format::description).collect()
     }
 
-    /// What files leave out of the meshes that they get, a sentence each.
+    /// The parts of meshes that files leave out, a sentence each.
     pub fn left_out<'m>(&self, mesh_for: impl Fn(Format) -> &'m dyn Mesh) -> Vec<String> {
         let told = |target: &Target| {
             let mesh = mesh_for(target.format);

@@ -68,16 +68,11 @@ impl Sketch<'_> {
         if self.are_joined(c, d, triangle) || is_chord && !self.is_visible(c, d) {
             return;
         }
-        let [left, right] = [(triangle, corner), (other, opposite)].map(|(t, i)| {
-            let t = self.triangles[t as usize];
-            [1, 2].map(|j| (t.neighbours[(i + j) % 3], t.labels[(i + j) % 3]))
-        });
+        let [left, right] = [(triangle, corner), (other, opposite)].map(|at| self.beside(at));
         // Across b-c, c-a; across a-d, d-b.
         let ([bc, ca], [ad, db]) = (left, right);
-        let (t, u) = (&mut Triangle::new(one, ()), &mut Triangle::new(two, ()));
-        (t.neighbours, t.labels) = ([ad.0, other, ca.0], [ad.1, false, ca.1]);
-        (u.neighbours, u.labels) = ([db.0, bc.0, triangle], [db.1, bc.1, false]);
-        (self.triangles[triangle as usize], self.triangles[other as usize]) = (*t, *u);
+        self.triangles[triangle as usize] = made(one, [ad.0, other, ca.0], [ad.1, false, ca.1]);
+        self.triangles[other as usize] = made(two, [db.0, bc.0, triangle], [db.1, bc.1, false]);
         self.relink(ad.0, other, triangle);
         self.relink(bc.0, triangle, other);
         self.count(&counts, excess);
@@ -112,10 +107,7 @@ impl Sketch<'_> {
             self.unused[1].push(m);
             return;
         }
-        let [left, right] = [(triangle, corner), (other, opposite)].map(|(t, i)| {
-            let t = self.triangles[t as usize];
-            [1, 2].map(|j| (t.neighbours[(i + j) % 3], t.labels[(i + j) % 3]))
-        });
+        let [left, right] = [(triangle, corner), (other, opposite)].map(|at| self.beside(at));
         let ([bc, ca], [ad, db]) = (left, right);
         let [third, fourth] = [0, 1].map(|_| {
             self.unused[0].pop().unwrap_or_else(|| {
@@ -123,11 +115,6 @@ impl Sketch<'_> {
                 self.triangles.len() as u32 - 1
             })
         });
-        let made = |vertices, neighbours, labels| Triangle {
-            neighbours,
-            labels,
-            ..Triangle::new(vertices, ())
-        };
         // triangle: c a m; third: c m b; other: d b m; fourth: d m a.
         self.triangles[triangle as usize] =
             made([c, a, m], [fourth, third, ca.0], [false, false, ca.1]);
@@ -179,11 +166,6 @@ impl Sketch<'_> {
                 return;
             }
         }
-        let made = |vertices, neighbours, labels| Triangle {
-            neighbours,
-            labels,
-            ..Triangle::new(vertices, ())
-        };
         let [keep, other] = [star[0], star[1]];
         if count == 4 {
             // keep: 0 1 2, other: 0 2 3.
@@ -209,6 +191,12 @@ impl Sketch<'_> {
             self.unused[1].push(m);
         }
         self.count(&counts, excess - own as i32);
+    }
+
+    /// The triangles across the two edges at a corner, with the labels of these.
+    fn beside(&self, (triangle, corner): (u32, usize)) -> [(u32, bool); 2] {
+        let t = &self.triangles[triangle as usize];
+        [1, 2].map(|i| (t.neighbours[(corner + i) % 3], t.labels[(corner + i) % 3]))
     }
 
     /// Moves a free vertex towards the middle of its neighbours.
@@ -237,6 +225,10 @@ impl Sketch<'_> {
             self.vertices[v as usize].at = old;
         }
     }
+}
+
+fn made(vertices: [u32; 3], neighbours: [u32; 3], labels: [bool; 3]) -> Triangle {
+    Triangle { neighbours, labels, ..Triangle::new(vertices, ()) }
 }
 
 #[cfg(test)]

@@ -261,7 +261,7 @@ struct Tents {
 }
 
 impl Tents {
-    /// Those of an outline, then of lines both ways.
+    /// The edges of an outline, then of lines both ways.
     fn new(outline: &PlanarBoundary, lines: &Breaklines) -> Self {
         let inner = lines.edges.iter().flat_map(|[a, b]| [[*a, *b], [*b, *a]]);
         let edges: Vec<[u32; 2]> = outline.edges().chain(inner).collect();

@@ -65,7 +65,7 @@ pub(crate) struct ConditionArguments {
     pub(crate) quiet: bool,
 }
 
-/// What may change of a boundary.
+/// How a boundary may change.
 #[derive(Clone, Debug, Args)]
 #[command(next_help_heading = "Conditioning")]
 pub(crate) struct ChangeArguments {

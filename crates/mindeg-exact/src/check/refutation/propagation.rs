@@ -1,4 +1,4 @@
-//! What follows from suppositions.
+//! Consequences of suppositions.
 
 use super::table::{Code, Row, Table, Watch};
 
