@@ -228,3 +228,22 @@ def test_what_a_map_cannot_be_is_said():
         assert message in str(raised.value), options
     with pytest.raises(TypeError, match="int is no domain"):
         mindeg.mesh(3)
+
+
+def test_periodic_sides_come_as_pairs_of_vertices():
+    domain = mindeg.Domain(
+        {
+            "rectangle": {"width": 4, "height": 3},
+            "size": 0.5,
+            "sides": [{}, {"name": "right", "match": {"of": "left"}}, {}, {"name": "left"}],
+            "lines": [{"corners": [[2, 1.2], [4, 1.2]], "intervals": 4}],
+        }
+    )
+    mesh = mindeg.mesh(domain, interior=True)
+    assert list(mesh.periodic) == ["right"]
+    here, there = mesh.periodic["right"].T
+    assert len(here) == 7
+    assert np.array_equal(mesh.points[here], mesh.points[there] + [4, 0])
+    assert 1.2 in mesh.points[here, 1]
+    assert pickle.loads(pickle.dumps(mesh)) == mesh
+    assert mindeg.rectangle(1, 1, intervals=2).mesh().periodic == {}

@@ -323,6 +323,29 @@ fn maps_are_compared_region_by_region() {
     );
 }
 
+/// A report is of one part: a folder takes one of each.
+#[test]
+fn parts_of_a_map_are_compared_one_by_one() {
+    let folder = tempdir().expect("a folder");
+    let at = |name: &str| folder.path().join(name);
+    let map = at("map.geojson");
+    fs::write(&map, ISLANDS).expect("a file");
+    let compare = |output: &str| {
+        mindeg(["compare", text(&map), "--size", "0.5", "-q", "-o", text(&at(output))])
+    };
+    compare("one.html").refuses(&["has 2 parts", "-o reports/", "--feature"]);
+    assert!(!at("one.html").exists());
+    compare("reports/").text();
+    let mut pages: Vec<_> = fs::read_dir(at("reports"))
+        .expect("a folder")
+        .map(|it| it.expect("a file").file_name())
+        .collect();
+    pages.sort();
+    assert_eq!(pages, ["index.html", "map-1.html", "map-2.html"]);
+    let page = |name: &str| fs::read_to_string(at("reports").join(name)).expect("a page");
+    assert!(page("map-1.html").contains(" 2 regions ") && page("index.html").contains("map-2"));
+}
+
 /// Limits of single vertices hold with each goal, and are said to be out of reach where they are.
 #[test]
 fn limits_of_single_vertices_are_kept() {

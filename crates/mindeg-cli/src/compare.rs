@@ -5,13 +5,14 @@ mod folder;
 mod saved_meshes;
 
 use crate::args::{CompareArguments, ReportFormat};
-use crate::domain::{from_file, from_options};
+use crate::domain::{from_options, parts};
 use crate::failure::Failure;
 use crate::interrupt::{SESSION, clean_up_on_interrupt};
 use crate::making::wrote;
 use crate::provenance::provenance;
 use crate::terminal::say;
 use comparing::{check, compared};
+use mindeg::Domain;
 use mindeg_compare::{CompareOptions, Comparison, write_html, write_json, write_markdown};
 use mindeg_files::{Outputs, is_standard_output, write_to};
 use std::io::{self, Write};
@@ -58,7 +59,7 @@ fn run_one(arguments: &CompareArguments, options: &CompareOptions) -> Result<(),
         return Err(Failure::input("standard output takes one report, or the one of --json"));
     }
     let domain = match arguments.files.first() {
-        Some(path) => from_file(path, &arguments.options)?,
+        Some(path) => only(path, arguments)?,
         None => from_options(&arguments.options)?,
     };
     // Refuse outputs that cannot be written before the work, which can take minutes.
@@ -89,6 +90,20 @@ fn run_one(arguments: &CompareArguments, options: &CompareOptions) -> Result<(),
     }
     check(&arguments.demands.demands(), &comparison)?;
     if all_taken { Ok(()) } else { Err(Failure::ClosedPipe) }
+}
+
+/// The domain of a file. One with several parts has a report for each.
+fn only(path: &Path, arguments: &CompareArguments) -> Result<Domain, Failure> {
+    let mut parts = parts(path, &arguments.options)?.domains;
+    match (parts.pop(), parts.len()) {
+        (Some(domain), 0) => Ok(domain),
+        (_, others) => Err(Failure::Input(format!(
+            "{} has {} parts that share no edge, and a report is of one; give a folder, such as -o reports/, for a report of \
+             each, or choose one with --feature",
+            path.display(),
+            others + 1
+        ))),
+    }
 }
 
 /// The format of the report at `path`; `given` is for standard output.

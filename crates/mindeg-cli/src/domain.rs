@@ -136,6 +136,11 @@ pub(crate) fn from_file(path: &Path, options: &DomainOptions) -> Result<Domain, 
     in_file(path, options, Wanted::Domain, &Bar::new(true))?.only()
 }
 
+/// The domain in a file, or those of its polygons that do not all hang together.
+pub(crate) fn parts(path: &Path, options: &DomainOptions) -> Result<Parts, Failure> {
+    in_file(path, options, Wanted::Domain, &Bar::new(true))?.parts()
+}
+
 /// The subject that the arguments describe: it is or becomes a domain unless `wanted` allows more.
 pub(crate) fn subject(
     arguments: &DomainArguments,

@@ -29,7 +29,7 @@ pub(crate) fn run(arguments: &ExploreArguments) -> Result<(), Failure> {
     match server.run().map_err(failed)? {}
 }
 
-/// The domain of the command line, or the first polygon of its file that is one.
+/// The domain of the command line, or the first of its file.
 fn start(path: &Path, known: &mut KnownFiles) -> Result<Source, Failure> {
     let input = Input::of(path);
     let name = input.name();
@@ -41,7 +41,7 @@ fn start(path: &Path, known: &mut KnownFiles) -> Result<Source, Failure> {
         return Err(Failure::Input(format!("{name}: {problem}")));
     };
     if count > 1 {
-        source.notes.push(format!("{name} has {count} polygons; {} is shown.", source.name));
+        source.notes.push(format!("{name} has {count} domains; {} is shown.", source.name));
     }
     if let (Ok(text), Input::File(_)) = (fs::read_to_string(path), input) {
         known.add(&name, &text);

@@ -211,6 +211,32 @@ fn moved(matrix: &[[f64; 3]; 2], point: DVec2) -> DVec2 {
     DVec2::new(coordinate(matrix[0]), coordinate(matrix[1]))
 }
 
+/// The point that is moved to a point of a matched side.
+pub(crate) fn moved_back(at: InRing, given: &[Ring], point: DVec2) -> Result<DVec2, DomainError> {
+    let Some(wanted) = &given[at.ring].sides[at.index].matches else { return Ok(point) };
+    let [[a, b, x], [c, d, y]] = found_match(at, wanted, given)?.matrix;
+    let from = point - DVec2::new(x, y);
+    // The inverse of a rotation is its transpose.
+    Ok(DVec2::new(a * from.x + c * from.y, b * from.x + d * from.y))
+}
+
+/// Refuses to divide a side of a ring whose sides are matched by their indices, which would change.
+pub(crate) fn check_names(at: InRing, given: &[Ring], line: &str) -> Result<(), DomainError> {
+    let sides = &given[at.ring].sides;
+    let is_named = |of: &String| sides.iter().any(|side| side.name.as_ref() == Some(of));
+    let unnamed = sides.iter().enumerate().find_map(|(index, side)| {
+        let of = &side.matches.as_ref()?.of;
+        (!is_named(of)).then_some((index, of))
+    });
+    let Some((index, of)) = unnamed else { return Ok(()) };
+    let place = Place::key("match").then("of");
+    let error = place.error(format!(
+        "{line} ends within {}, which is divided there, so that indices of sides change; give {of} a name, and match that",
+        at.side()
+    ));
+    Err(error.of_side(InRing { index, ..at }))
+}
+
 /// All matched sides.
 fn matched(given: &[Ring]) -> Result<Vec<Found>, DomainError> {
     let mut found = Vec::new();
@@ -394,7 +420,7 @@ mod tests {
     }
 
     #[test]
-    fn lines_end_at_points_of_periodic_sides_alone() {
+    fn lines_end_at_points_of_periodic_sides() {
         let domain = Domain::from_json(
             r#"{"rectangle": {"width": 4, "height": 3}, "size": 1,
                 "sides": [{}, {"match": {"of": "left"}}, {}, {"name": "left"}],
@@ -403,15 +429,58 @@ mod tests {
         .unwrap();
         let side = &domain.periodic().unwrap().sides()[0];
         assert_eq!((side.of.len(), side.vertices.len()), (1, 4));
-        let open = Domain::from_json(
-            r#"{"rectangle": {"width": 4, "height": 3}, "size": 1,
-                "sides": [{}, {"match": {"of": "left"}}, {}, {"name": "left"}],
-                "lines": [{"corners": [[2, 1.2], [4, 1.2]], "intervals": 4}]}"#,
-        );
-        let message = open.unwrap_err().to_string();
+    }
+
+    /// A line that ends within a matched side was refused.
+    #[test]
+    fn lines_end_within_periodic_sides_which_both_get_the_point() {
+        let domain = |of: &str, lines: &str| {
+            let text = format!(
+                r#"{{"rectangle": {{"width": 4, "height": 3}}, "size": 1,
+                "sides": [{{}}, {{"match": {{"of": "{of}"}}}}, {{}}, {{"name": "left"}}], "lines": [{lines}]}}"#
+            );
+            Domain::from_json(&text).map_err(|error| error.to_string())
+        };
+        let one = r#"{"corners": [[2, 1.2], [4, 1.2]], "intervals": 4}"#;
+        let across = r#"{"corners": [[0, 1.2], [4, 1.2]], "intervals": 4}"#;
+        let two = r#"{"corners": [[2, 1.2], [4, 1.2]], "intervals": 4}, {"corners": [[0, 0.3], [1, 1]], "intervals": 2}"#;
+        for (lines, heights) in
+            [(one, &[1.2][..]), (across, &[1.2]), (two, &[1.2, 0.3]), (two, &[0.3, 1.2])]
+        {
+            let domain = domain("left", lines).unwrap();
+            let point = |vertex: u32| domain.placement().point(vertex);
+            let side = &domain.periodic().unwrap().sides()[0];
+            for pair in &side.vertices {
+                assert_eq!(point(pair[0]), point(pair[1]) + DVec2::new(4.0, 0.0));
+            }
+            for height in heights {
+                let has = |[own, _]: &&[u32; 2]| (point(*own).y - height).abs() < 1e-12;
+                assert_eq!(side.vertices.iter().filter(has).count(), 1, "{lines}: {height}");
+            }
+            // The line's end is the side's vertex, not one beside it.
+            let again = Domain::from_json(&domain.to_json()).unwrap();
+            assert_eq!(again.periodic(), domain.periodic());
+        }
+        let message = domain("side 4", one).unwrap_err();
         assert!(
-            message.contains("line 1 ends within") && message.contains("\"left\""),
+            message.contains("sides[1].match.of") && message.contains("give side 4 a name"),
             "{message}"
+        );
+        // By a rotation, too.
+        let sector = Domain::from_json(
+            r#"{"polygon": {"corners": [[1, 0], [4, 0], [0, 4], [0, 1]]}, "sides": [
+                {"intervals": 3, "name": "cut"}, {"intervals": 8, "arc": {"center": [0, 0]}},
+                {"match": {"of": "cut", "by": "rotation"}},
+                {"intervals": 4, "arc": {"center": [0, 0], "clockwise": true}}],
+                "lines": [{"corners": [[0, 2.3], [1, 2.3]], "intervals": 2}]}"#,
+        )
+        .unwrap();
+        let side = &sector.periodic().unwrap().sides()[0];
+        let heights = side.vertices.iter().map(|pair| sector.placement().point(pair[0]).y);
+        assert!(
+            heights.clone().any(|y| (y - 2.3).abs() < 1e-12),
+            "{:?}",
+            heights.collect::<Vec<_>>()
         );
     }
 }

@@ -10,6 +10,7 @@ use crate::given::{Given, sides_of};
 use crate::inside::Inside;
 use crate::joined::{Chain, Lookup, place, reach};
 use crate::outline::Ring;
+use crate::periodic::{check_names, moved_back};
 use crate::side::{Intervals, Side};
 use crate::spacing::Spacing;
 
@@ -38,17 +39,29 @@ pub(crate) fn split_sides(
         let which = format!("line {}", line + 1);
         let mut first = 0;
         let mut split = None;
-        for (index, ring) in rings.iter_mut().enumerate() {
-            if let Some((index, cut)) = cut_of(index, ring, at, reach) {
-                if let (Cut::Share(_), [_, ..]) = (cut, &constraints.sides[..]) {
-                    split_constraint(constraints, first + index.index, &which)
-                        .map_err(|error| error.of_side(index))?;
+        for index in 0..rings.len() {
+            let Some((side, _)) = cut_of(index, &rings[index], at, reach) else {
+                first += rings[index].sides.len();
+                continue;
+            };
+            // Within a matched side: the side that it matches gets the point.
+            let there = moved_back(side, rings, at)?;
+            let Some((of, cut)) = cut_of(index, &rings[index], there, reach) else { break };
+            if let Cut::Share(_) = cut {
+                check_names(of, rings, &which)?;
+                if !constraints.sides.is_empty() {
+                    split_constraint(constraints, first + of.index, &which)
+                        .map_err(|error| error.of_side(of))?;
                 }
-                apply(ring, index.index, cut, at, &which).map_err(|error| error.of_side(index))?;
-                split = Some(index.side());
-                break;
             }
-            first += ring.sides.len();
+            apply(&mut rings[index], of.index, cut, there, &which)
+                .map_err(|error| error.of_side(of))?;
+            let which = match of.index == side.index {
+                true => side.side(),
+                false => format!("{}, which is {} moved", side.side(), of.side()),
+            };
+            split = Some((which, there));
+            break;
         }
         for (index, other) in inside.lines.iter_mut().enumerate() {
             if split.is_none()
@@ -57,11 +70,10 @@ pub(crate) fn split_sides(
                 let name = format!("line {}", index + 1);
                 apply(other, side.index, cut, at, &which)
                     .map_err(|error| error.within(place(index), &name))?;
-                split = Some(name);
+                split = Some((name, at));
             }
         }
-        let DVec2 { x, y } = at;
-        notes.extend(split.map(|side| {
+        notes.extend(split.map(|(side, DVec2 { x, y })| {
             format!(
                 "Line {} ends within {side}, which was split there, at ({x:?}, {y:?}); a number of intervals \
                  was shared out by length.",
@@ -160,14 +172,6 @@ pub(crate) fn apply(
     line: &str,
 ) -> Result<(), DomainError> {
     let side = &mut ring.sides[index];
-    if let Some(matches) = &side.matches {
-        let DVec2 { x, y } = at;
-        return Err(Place::key("match").error(format!(
-            "{line} ends within the side at ({x:?}, {y:?}), and the side has the points of {:?}; end the line at one of \
-             them",
-            matches.of
-        )));
-    }
     let share = match (cut, &mut side.curve) {
         (Cut::Point(piece), Curve::Polyline(points)) => {
             points.insert(piece, at);

@@ -1,6 +1,7 @@
 //! Domains in files of any format that mindeg takes.
 
 use mindeg::{Domain, Progress};
+use mindeg_answers::names::part_name;
 use mindeg_files::{Content, FileError, Input, Polygon, PolygonFile, ReadOptions, Session, Wanted};
 use serde_json::value::RawValue;
 
@@ -10,7 +11,7 @@ use crate::api::Source;
 /// The most polygons of a file that are given.
 const MOST: usize = 200;
 
-/// The domain or the polygons of a file.
+/// The domain of a file, or the maps of its polygons that share edges, then each polygon alone.
 ///
 /// # Errors
 ///
@@ -56,7 +57,28 @@ pub fn sources(session: &Session, input: &Input<'_>) -> Result<Vec<Source>, File
     if count > MOST {
         polygons.notes.push(format!("The first {MOST} of {count} polygons are given."));
     }
-    Ok(polygons.polygons.iter().take(MOST).map(|polygon| source(&polygons, polygon)).collect())
+    let mut sources = maps(&polygons);
+    let singly = polygons.polygons.iter().take(MOST - sources.len());
+    sources.extend(singly.map(|polygon| source(&polygons, polygon)));
+    Ok(sources)
+}
+
+/// The maps of polygons that share edges; a polygon that shares none is no map.
+fn maps(polygons: &PolygonFile) -> Vec<Source> {
+    if polygons.polygons.len() < 2 {
+        return Vec::new();
+    }
+    let Ok((domains, notes)) = polygons.maps() else { return Vec::new() };
+    let parts = domains.iter().enumerate().filter(|(_, domain)| domain.inside().regions.len() > 1);
+    let source = |(index, domain): (usize, &Domain)| {
+        let name = match &domains[..] {
+            [_] => polygons.name().map_or_else(|| part_name(index, domain), str::to_owned),
+            _ => part_name(index, domain),
+        };
+        let notes = polygons.notes.iter().chain(&notes).cloned().collect();
+        given(name, notes, domain.rings().vertex_count() as usize, || Ok(domain.clone()))
+    };
+    parts.take(MOST).map(source).collect()
 }
 
 /// A file that holds a surface.
@@ -69,10 +91,20 @@ fn source(polygons: &PolygonFile, polygon: &Polygon) -> Source {
     let name = polygon.name();
     let notes = polygons.notes.clone();
     let points: usize = polygon.feature.rings.iter().map(|ring| ring.pieces.len()).sum();
+    given(name, notes, points, || polygons.domain(polygon).map_err(|error| error.to_string()))
+}
+
+/// A domain to start from, unless it has too many points for the page.
+fn given(
+    name: String,
+    notes: Vec<String>,
+    points: usize,
+    domain: impl FnOnce() -> Result<Domain, String>,
+) -> Source {
     let domain = if points > MAX_VERTICES as usize {
         Err(format!("the outline has {points} points; the page takes up to {MAX_VERTICES}"))
     } else {
-        polygons.domain(polygon).map_err(|error| error.to_string())
+        domain()
     };
     match domain {
         Ok(domain) => {
@@ -107,6 +139,35 @@ mod tests {
             let note = given[0].notes.iter().find(|note| note.starts_with("The first"));
             assert_eq!(note.map(String::as_str), expected);
         }
+    }
+
+    #[test]
+    fn polygons_that_share_edges_come_as_one_map_first() {
+        let square = |name: &str, x: u32| {
+            let ring: Vec<[u32; 2]> = vec![[x, 0], [x + 1, 0], [x + 1, 1], [x, 1], [x, 0]];
+            serde_json::json!({"type": "Feature", "properties": {"name": name},
+                "geometry": {"type": "Polygon", "coordinates": [ring]}})
+        };
+        let given = |squares: &[(&str, u32)]| -> Vec<(String, usize)> {
+            let features: Vec<_> = squares.iter().map(|(name, x)| square(name, *x)).collect();
+            let file = serde_json::json!({"type": "FeatureCollection", "features": features});
+            let file = file.to_string();
+            let input = Input::Bytes("land.geojson", file.as_bytes());
+            let sources = sources(&Session::new(""), &input).unwrap();
+            let regions = |source: &Source| {
+                let domain = Domain::from_json(source.domain.as_ref().unwrap().get()).unwrap();
+                (source.name.clone(), domain.inside().regions.len())
+            };
+            sources.iter().map(regions).collect()
+        };
+        let listed = |names: &[(&str, usize)]| -> Vec<(String, usize)> {
+            names.iter().map(|(name, regions)| ((*name).to_owned(), *regions)).collect()
+        };
+        let [a, b, c] = [("a", 0), ("b", 1), ("c", 5)];
+        assert_eq!(given(&[a, b]), listed(&[("land", 2), ("a", 0), ("b", 0)]));
+        let expected = [("part 1 (a, …)", 2), ("a", 0), ("b", 0), ("c", 0)];
+        assert_eq!(given(&[a, b, c]), listed(&expected));
+        assert_eq!(given(&[a, c]), listed(&[("a", 0), ("c", 0)]));
     }
 
     #[test]

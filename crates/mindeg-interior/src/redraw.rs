@@ -48,8 +48,11 @@ pub(crate) enum Turn {
     Last,
 }
 
-/// Where all else has failed, the later rounds are repeated so often: in small meshes, which are begun anew besides, and in large ones.
-const REPEATED: [u64; 2] = [2, 3];
+/// Where all else has failed, all rounds are made once and the later ones again with other seeds. With this one larger discs are
+/// drawn anew, in large meshes: small ones are begun anew.
+const HARD: u64 = 3;
+/// So many times as many moves are made in those.
+const HARD_MOVES: u32 = 3;
 /// From so many triangles on a mesh is large.
 const LARGE: usize = 10_000;
 /// With more places than this left, larger discs would take too long.
@@ -78,8 +81,9 @@ pub(crate) fn redraw(
 ) -> Result<(), Cancelled> {
     let (single, enough) = (Weights::single(options, weights.floor), enough(options));
     let seeds = match turn {
-        Turn::First => 0..1,
-        Turn::Last => 1..1 + REPEATED[usize::from(mesh.triangles.len() >= LARGE)],
+        Turn::First => 0..=0,
+        Turn::Last if mesh.triangles.len() < LARGE => 1..=HARD - 1,
+        Turn::Last => 1..=HARD,
     };
     let rounds = |seed: u64| {
         ROUNDS
@@ -89,10 +93,9 @@ pub(crate) fn redraw(
             .map(move |round| (seed, round))
     };
     for (seed, (index, Round { rings, effort, kept })) in seeds.flat_map(rounds) {
-        // Where all else has failed twice, larger discs are drawn anew.
-        let is_hard = seed > 2;
-        let most = if is_hard { 2 * ENOUGH_TRIANGLES } else { ENOUGH_TRIANGLES };
-        let times = if is_hard { seed as u32 } else { 1 };
+        let is_hard = seed == HARD;
+        let (most, times) =
+            if is_hard { (2 * ENOUGH_TRIANGLES, HARD_MOVES) } else { (ENOUGH_TRIANGLES, 1) };
         let effort = Effort { moves: times * effort.moves, ..*effort };
         let wrong: Vec<u32> = broken(mesh, weights).collect();
         if is_hard && wrong.len() > MOST_HARD {

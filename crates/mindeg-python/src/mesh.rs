@@ -9,7 +9,7 @@ use mindeg::quality::TriangleQuality;
 use mindeg::{Group, Mesh as AnyMesh, Positions, TriMesh};
 use mindeg_answers::interior::InteriorAnswer;
 use mindeg_files::{Input, Session, svg};
-use mindeg_mesh::{ByName, filled};
+use mindeg_mesh::{ByName, PeriodicLine, filled};
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -17,7 +17,7 @@ use pyo3::types::PyDict;
 use crate::arrays;
 use crate::dict::dict;
 use crate::interior;
-use crate::pickled::{self, PickledGroups, PickledParts};
+use crate::pickled::{self, PickledGroups, PickledParts, PickledPeriodic};
 use crate::save::{self, Wanted};
 use crate::work::{done, value_error};
 
@@ -175,6 +175,20 @@ impl Mesh {
         Ok(dict)
     }
 
+    /// The periodic sides: for each name a read-only (p, 2) uint32 array of its vertices, each with the one that is moved there.
+    #[getter]
+    fn periodic<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let (lines, periodic) = (self.mesh.lines(), self.mesh.periodic_lines());
+        let name = |own: &PeriodicLine| &lines[own.line as usize].name;
+        let by_name = ByName::new(periodic.iter().map(name));
+        let dict = PyDict::new(py);
+        for (name, of_name) in by_name.names.iter().zip(by_name.items()) {
+            let pairs = of_name.into_iter().flat_map(|own| periodic[own].vertices.iter().copied());
+            dict.set_item(name, arrays::rows(py, pairs.collect())?)?;
+        }
+        Ok(dict)
+    }
+
     /// The name, if the domain or the file gives one.
     #[getter]
     fn name(&self) -> Option<&str> {
@@ -286,6 +300,9 @@ impl Mesh {
         let straight: Vec<bool> = lines.iter().map(|line| line.is_straight).collect();
         let depths = filled(0..mesh.vertex_count(), 0.0, |first, out| mesh.fill_depths(first, out));
         let depths = depths.iter().any(|&depth| depth != 0.0).then_some(depths);
+        let periodic = mesh.periodic_lines().into_owned();
+        let periodic: Vec<PickledPeriodic> =
+            periodic.into_iter().map(|own| (own.line, own.of, own.matrix, own.vertices)).collect();
         let facts = (self.facts.least_max_degree, self.facts.found_by.clone(), self.report(py));
         let state = (
             self.points(py)?,
@@ -293,7 +310,7 @@ impl Mesh {
             mesh.name(),
             segments,
             (straight, kinds),
-            (groups, depths, named),
+            (groups, depths, named, periodic),
             facts,
         );
         let restored = py.import("mindeg")?.getattr("_restored")?;

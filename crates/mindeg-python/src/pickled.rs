@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use mindeg::{Group, Material, TriMesh};
-use mindeg_mesh::{LineKind, NamedVertex};
+use mindeg_mesh::{LineKind, NamedVertex, PeriodicLine};
 use pyo3::PyResult;
 
 use crate::work::value_error;
@@ -25,8 +25,12 @@ fn kind_of(name: &str) -> Option<LineKind> {
     KINDS.iter().find(|(_, one)| *one == name).map(|(kind, _)| *kind)
 }
 
-/// Groups, depths and named vertices.
-pub(crate) type PickledParts = (PickledGroups, Option<Vec<f64>>, Vec<(String, u32)>);
+/// A periodic line, the other one, the matrix and the pairs of vertices.
+pub(crate) type PickledPeriodic = (u32, u32, [[f64; 4]; 4], Vec<[u32; 2]>);
+
+/// Groups, depths, named vertices and periodic lines.
+pub(crate) type PickledParts =
+    (PickledGroups, Option<Vec<f64>>, Vec<(String, u32)>, Vec<PickledPeriodic>);
 
 /// A mesh with its name, its lines with their facts, and its other parts.
 pub(crate) fn mesh(
@@ -54,7 +58,11 @@ pub(crate) fn mesh(
     mesh = mesh.with_lines(all, segments).map_err(value_error)?;
     let kinds = kinds.iter().map(|kind| kind.as_deref().and_then(kind_of));
     mesh = mesh.with_line_kinds(kinds.collect());
-    let (groups, depths, named) = of_mesh;
+    let (groups, depths, named, periodic) = of_mesh;
+    let periodic = periodic.into_iter();
+    let periodic =
+        periodic.map(|(line, of, matrix, vertices)| PeriodicLine { line, of, matrix, vertices });
+    mesh = mesh.with_periodic_lines(periodic.collect()).map_err(value_error)?;
     let named = named.into_iter().map(|(name, vertex)| NamedVertex { name, vertex });
     mesh = mesh.with_named_vertices(named.collect()).map_err(value_error)?;
     let mut at = 0;

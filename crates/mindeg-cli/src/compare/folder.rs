@@ -3,7 +3,7 @@
 use super::comparing::{check, compared};
 use super::saved_meshes;
 use crate::args::CompareArguments;
-use crate::domain::{UNNAMED, from_file, from_options};
+use crate::domain::{UNNAMED, from_file, from_options, parts};
 use crate::failure::Failure;
 use crate::interrupt::SESSION;
 use crate::named_files::summed_up;
@@ -83,6 +83,8 @@ struct Job<'a> {
     name: String,
     /// `None` for a domain from options alone.
     file: Option<&'a Path>,
+    /// The part of a file with several.
+    part: Option<Domain>,
 }
 
 impl Job<'_> {
@@ -91,9 +93,10 @@ impl Job<'_> {
     }
 
     fn domain(&self, arguments: &CompareArguments) -> Result<Domain, Failure> {
-        match self.file {
-            Some(path) => from_file(path, &arguments.options),
-            None => from_options(&arguments.options),
+        match (&self.part, self.file) {
+            (Some(part), _) => Ok(part.clone()),
+            (None, Some(path)) => from_file(path, &arguments.options),
+            (None, None) => from_options(&arguments.options),
         }
     }
 
@@ -125,7 +128,7 @@ impl Job<'_> {
 
 fn jobs(arguments: &CompareArguments) -> Result<Vec<Job<'_>>, Failure> {
     if arguments.files.is_empty() {
-        return Ok(vec![Job { name: UNNAMED.to_owned(), file: None }]);
+        return Ok(vec![Job { name: UNNAMED.to_owned(), file: None, part: None }]);
     }
     let mut names = BTreeSet::from(["index".to_owned()]);
     let job = |path: &'_ PathBuf| {
@@ -140,6 +143,19 @@ fn jobs(arguments: &CompareArguments) -> Result<Vec<Job<'_>>, Failure> {
         })
     };
     let names: Vec<String> = arguments.files.iter().map(job).collect::<Result<_, _>>()?;
-    let jobs = names.into_iter().zip(&arguments.files);
-    Ok(jobs.map(|(name, path)| Job { name, file: Some(path) }).collect())
+    let mut jobs = Vec::new();
+    for (name, path) in names.into_iter().zip(&arguments.files) {
+        // What cannot be read is told when its turn comes.
+        let parts = parts(path, &arguments.options).map_or_else(|_| Vec::new(), |it| it.domains);
+        let file = Some(path.as_path());
+        if parts.len() < 2 {
+            jobs.push(Job { name, file, part: None });
+            continue;
+        }
+        for (index, part) in (1..).zip(parts) {
+            let name = format!("{name}-{index}");
+            jobs.push(Job { name, file, part: Some(part) });
+        }
+    }
+    Ok(jobs)
 }
