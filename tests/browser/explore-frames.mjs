@@ -4,7 +4,7 @@
 //   node explore-frames.mjs MINDEG_BINARY CHROMIUM
 //
 // The 95th percentile of a frame may be 16 ms of the main thread's processor time with 10,000 triangles in each
-// picture, and the first mesh may take 50 ms at 400 boundary points. Processor time leaves out what other
+// picture, and that of the first mesh 50 ms at 400 boundary points. Processor time leaves out what other
 // programs take from the machine; wall time is printed beside it. Exit code 1 if a bound is missed.
 
 import { writeFileSync } from "node:fs";
@@ -112,7 +112,7 @@ for (const [points, what] of [[400, "400 boundary points"], [10_002, "10,000 tri
     console.log(`  main thread, wall time       ${told(wall)}`);
     console.log(`  from a drag to its mesh      ${told(waits)} (${waits.length} answers)`);
     if (frames.length < 30 || quantile(processor, 0.95) > MOST_WORK) isMissed = true;
-    if (points === 400 && (!waits.length || quantile(waits, 0.5) > MOST_WAIT)) isMissed = true;
+    if (points === 400 && (!waits.length || quantile(waits, 0.95) > MOST_WAIT)) isMissed = true;
     await page.context().close();
   } finally {
     await server.stop("SIGKILL");

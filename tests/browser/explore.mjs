@@ -182,13 +182,17 @@ test("sides get names and kinds, and a map's regions names and sizes", async () 
   await page.context().close();
 });
 
-test("a surface is turned, meshed anew and filled, and the file is downloaded", async () => {
-  const page = await openNew();
-  // A cube without its lid and floor.
+/** Opens a cube without its lid and floor. */
+async function openTube(page) {
   const tube = ["v 0 0 0", "v 1 0 0", "v 1 1 0", "v 0 1 0", "v 0 0 1", "v 1 0 1", "v 1 1 1", "v 0 1 1",
     "f 1 2 6", "f 1 6 5", "f 2 3 7", "f 2 7 6", "f 3 4 8", "f 3 8 7", "f 4 1 5", "f 4 5 8", ""].join("\n");
   await page.locator("#file").setInputFiles({ name: "tube.obj", mimeType: "text/plain", buffer: Buffer.from(tube) });
   await page.waitForFunction(() => document.querySelectorAll("#solid-meshes .stage[data-drawn]").length === 1);
+}
+
+test("a surface is turned, meshed anew and filled, and the file is downloaded", async () => {
+  const page = await openNew();
+  await openTube(page);
   assert.equal(await page.locator("#solid-loops input").count(), 2);
   const stage = page.locator("#solid-meshes .stage").first();
   const look = async () => (await stage.screenshot()).toString("base64");
@@ -648,15 +652,19 @@ const MAP = {
   regions: [{ at: [0.75, 1], name: "clay" }, { at: [3.25, 1.2], name: "sand" }],
 };
 
+async function openMap(page) {
+  await page.locator("#file").setInputFiles({ name: "map.json", mimeType: "application/json", buffer: Buffer.from(JSON.stringify(MAP)) });
+  await page.waitForFunction(() => document.querySelector("#title").textContent === "a map");
+  await answered(page);
+}
+
 test("lines, points and regions of a map are drawn with their names", async () => {
   const page = await open();
   const names = () => page.locator(".stage").evaluateAll((all) => all.map((stage) => stage.dataset.names));
   const choice = page.locator("#names-choice");
   assert.deepEqual(await names(), [undefined, undefined]);
   assert.ok(await choice.isHidden());
-  await page.locator("#file").setInputFiles({ name: "map.json", mimeType: "application/json", buffer: Buffer.from(JSON.stringify(MAP)) });
-  await page.waitForFunction(() => document.querySelector("#title").textContent === "a map");
-  await answered(page);
+  await openMap(page);
   assert.match(await facts(page), /^24 boundary vertices/);
   assert.ok((await facts(page)).includes(" · 2 lines · 2 regions · "));
   const all = "gauge, clay, sand, interface, fault";
@@ -813,8 +821,15 @@ test("axe finds nothing serious and nothing is cut off, on any screen, light and
   for (const { width, colorScheme } of SCREENS) {
     // The page's own policy keeps scripts of others out, and axe is one.
     const page = await open({ viewport: { width, height: 900 }, colorScheme, bypassCSP: true });
-    for (const name of ["boundary-layer-channel", "plate-with-holes", "great-britain"]) {
-      if (name !== "boundary-layer-channel") await choose(page, name);
+    const shown = [["boundary-layer-channel", () => {}],
+      ...["plate-with-holes", "great-britain"].map((name) => [name, () => choose(page, name)]),
+      ["a map", () => openMap(page)], ["a surface", async () => {
+        await openTube(page);
+        await page.locator("#solid-fill").click();
+        await page.waitForFunction(() => document.querySelectorAll("#solid-meshes h3").length === 2);
+      }]];
+    for (const [name, show] of shown) {
+      await show();
       await page.waitForTimeout(300);
       assert.equal(await page.evaluate(() => document.scrollingElement.scrollWidth), width, `${name} at ${width} pixels`);
       await page.evaluate(axe);
@@ -853,7 +868,8 @@ test("light and dark follow the reader's system, also while the page is open", a
 });
 
 test("a picture for the README", async () => {
-  const page = await open({ viewport: { width: 1400, height: 876 } });
+  // As a newcomer meets it.
+  const page = await openNew({ viewport: { width: 1400, height: 876 } });
   await page.mouse.move(0, 0);
   await page.waitForTimeout(500);
   await page.screenshot({ path: resolve("explore.png") });

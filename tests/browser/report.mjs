@@ -763,18 +763,6 @@ test("axe finds nothing serious in a view, and nothing is cut off", async () => 
   }
 });
 
-test("a picture for the README", async () => {
-  const opened = await open("channel.html", { viewport: { width: 1240, height: 1100 } });
-  // As for somebody who works in the project's folder.
-  const folder = bundled("boundary-layer-channel").replace(/assets.*/, "");
-  await opened.evaluate((folder) => {
-    const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
-    while (texts.nextNode()) texts.currentNode.data = texts.currentNode.data.replaceAll(folder, "");
-  }, folder);
-  await opened.screenshot({ path: resolve("report.png") });
-  await opened.context().close();
-});
-
 test("no page has reported an error or asked for anything", () => {
   // The links of the index lead to pages beside it; those were followed on purpose.
   const unexpected = noise.filter((line) => !/^out\/index\.html asks for file:.*\.html$/.test(line));

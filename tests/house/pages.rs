@@ -7,6 +7,9 @@ use std::path::PathBuf;
 /// The most words of prose in all pages: what a reader reads, without code and tables.
 const MOST_WORDS: usize = 21_300;
 
+/// The most words of README.md, code and tables among them.
+const MOST_IN_README: usize = 700;
+
 /// The words of a page outside code blocks and tables.
 fn words(page: &str) -> usize {
     let mut is_code = false;
@@ -40,6 +43,16 @@ fn the_pages_can_be_read() {
         .collect();
     let all: usize = counts.iter().map(|(_, count)| count).sum();
     assert!(all <= MOST_WORDS, "{all} words of prose; at most {MOST_WORDS}: {counts:#?}");
+}
+
+#[test]
+fn the_readme_is_short() {
+    let readme = fs::read_to_string(root().join("README.md")).unwrap();
+    let count = readme.split_whitespace().count();
+    assert!(
+        count <= MOST_IN_README,
+        "{count} words with code and tables; at most {MOST_IN_README}"
+    );
 }
 
 #[test]

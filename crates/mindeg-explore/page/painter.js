@@ -30,7 +30,7 @@ function timeLeft() {
   if (!running || !running.unfinished.size) return 0;
   const spent = performance.now() - running.start;
   const isEnough = !isQuick && !running.empty.size;
-  return isEnough ? 0 : Math.max(0, (isQuick ? 2 * QUICK : PATIENCE) - spent);
+  return isEnough ? 0 : Math.max(0, (isQuick ? QUICK : PATIENCE) - spent);
 }
 
 /** Sends what was asked last, as soon as it may. */
@@ -91,8 +91,9 @@ function take(run, line) {
     line = run.domain = { ...line, points, lines };
   } else if (line.kind === "mesh") {
     clearTimeout(run.held.get(line.view));
-    // Pictures would flicker if they changed twice for each step of a corner.
-    if (!line.is_last) return void run.held.set(line.view, setTimeout(reveal, HOLD, run, line));
+    // Pictures would flicker if they changed twice for each step of a corner. Where better meshes take longer, they come
+    // after the last step alone.
+    if (!line.is_last && isQuick) return void run.held.set(line.view, setTimeout(reveal, HOLD, run, line));
     return reveal(run, line);
   } else if (line.kind === "refused") {
     for (const view of line.part ? [line.part] : [...run.unfinished]) finish(run, view);
