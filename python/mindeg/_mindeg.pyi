@@ -144,6 +144,7 @@ def fill(
     points: Mesh | npt.ArrayLike,
     triangles: npt.ArrayLike | None = None,
     *,
+    interior: bool = False,
     through: Sequence[int] | None = None,
     max_degree: int | None = None,
     extra_area: float = 0.05,

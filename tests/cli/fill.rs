@@ -342,3 +342,20 @@ fn the_rim_of_a_flat_sheet_stays_open_unless_it_is_named() {
     let run = mindeg(["fill", out, "-o", &format!("{out}.obj"), "--loop", "1"]);
     assert!(run.errors.contains("filled 1 loop"), "{}", run.errors);
 }
+
+#[test]
+fn points_inside_are_told_with_their_degrees() {
+    let (folder, run) = fill("cone.obj", &cone(24, 0.0, 2.0), &["--interior", "--json"]);
+    let found = run.json();
+    let filled = &found["filled"][0];
+    let [first, end] = [0, 1].map(|at: usize| filled["vertices_inside"][at].as_u64());
+    assert_eq!((first, end), (Some(25), found["vertices"].as_u64()));
+    assert_eq!((&filled["off_degree"], &filled["without_points"]), (&json!([]), &Value::Null));
+    assert!(
+        filled["degrees"][0].as_u64() >= Some(5) && filled["degrees"][1].as_u64() <= Some(7),
+        "{filled}"
+    );
+    assert_closed(folder.path(), "out.obj", 2);
+    let (_, run) = fill("cone.obj", &cone(24, 0.0, 2.0), &["--interior"]);
+    assert!(run.errors.contains("points inside, degrees 5 to "), "{}", run.errors);
+}

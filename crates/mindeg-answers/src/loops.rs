@@ -66,6 +66,14 @@ struct FilledLoopAnswer {
     min_angle: f64,
     /// The first, and the one after the last.
     triangles: [u32; 2],
+    /// The vertices inside: the first, and the one after the last; null without any.
+    vertices_inside: Option<[u32; 2]>,
+    /// The least and the greatest degree of the vertices inside and on the loop, where there are points inside.
+    degrees: Option<[u32; 2]>,
+    /// Vertices with other degrees than 5 to 7 there, each with its degree.
+    off_degree: Vec<[u32; 2]>,
+    /// Why there are no points inside though they were asked for.
+    without_points: Option<String>,
 }
 
 /// A loop that stays open, and why.
@@ -86,6 +94,7 @@ impl OpenLoop {
 
 impl FilledLoopAnswer {
     fn of(found: &FilledLoop, loops: &Loops) -> Self {
+        let inside = found.inside.as_ref().and_then(|inside| inside.as_ref().ok());
         Self {
             name: LoopName::new(found.index, &loops.list()[found.index]),
             limit: found.limit,
@@ -97,12 +106,37 @@ impl FilledLoopAnswer {
             degree_without_limit: found.without_limit.1,
             min_angle: found.min_angle,
             triangles: [found.triangles.start, found.triangles.end],
+            vertices_inside: inside.map(|it| [it.vertices.start, it.vertices.end]),
+            degrees: inside.map(|it| it.degrees),
+            off_degree: inside.map_or_else(Vec::new, |it| it.off_degree.clone()),
+            without_points: found.inside.clone().and_then(Result::err),
+        }
+    }
+
+    /// The loop with its points inside.
+    fn text_inside(&self, [first, end]: [u32; 2], [least, most]: [u32; 2]) -> String {
+        let (name, area, points) = (self.name.text(), four_digits(self.area), end - first);
+        let points = if points == 1 { "1 point".to_owned() } else { format!("{points} points") };
+        let angle = steady_angle(self.min_angle);
+        let text = format!(
+            "{name}: {points} inside, degrees {least} to {most} on it and inside, area {area}, minimum angle {angle}"
+        );
+        match &self.off_degree[..] {
+            [] => text,
+            [[vertex, degree]] => format!("{text}; vertex {vertex} has {degree} edges, not 5 to 7"),
+            [[vertex, degree], others @ ..] => format!(
+                "{text}; vertex {vertex} has {degree} edges, not 5 to 7, and so have {} more",
+                others.len()
+            ),
         }
     }
 
     /// The limit, the area, and what the limit costs; `extra_area` is the share that decided the limit, unless the
     /// user gave it.
     fn text(&self, extra_area: Option<f64>) -> String {
+        if let (Some(vertices), Some(degrees)) = (self.vertices_inside, self.degrees) {
+            return self.text_inside(vertices, degrees);
+        }
         let Self { limit, least_limit, area, area_without_limit: least, .. } = self;
         let why = match (extra_area, least_limit) {
             (Some(extra), Some(_)) => {
@@ -126,7 +160,9 @@ impl FilledLoopAnswer {
                 format!("; --max-degree {limit} takes {} more", percent(more(area)))
             });
         let (name, area) = (self.name.text(), four_digits(*area));
-        format!("{name}: degree limit {limit}{why}; area {area}, {cost}{lower}")
+        let without = self.without_points.as_ref();
+        let without = without.map_or_else(String::new, |why| format!("; no points inside: {why}"));
+        format!("{name}: degree limit {limit}{why}; area {area}, {cost}{lower}{without}")
     }
 }
 

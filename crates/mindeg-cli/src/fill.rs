@@ -32,6 +32,7 @@ pub(crate) fn run(arguments: &FillArguments) -> Result<(), Failure> {
         extra_area: arguments.extra_area,
         max_loop: arguments.max_loop as usize,
         only,
+        interior: arguments.interior,
     };
     let lengths = loops.list().iter().map(|found| found.vertices.len());
 

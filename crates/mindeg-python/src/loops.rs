@@ -89,18 +89,20 @@ pub(crate) fn bridge_loops<'py>(
 /// Close the holes of a mesh: each boundary loop by the triangulation of least area under a limit on the total degree.
 ///
 /// Takes a mesh in hand, or points and triangles. `through` are vertices: only loops through these are filled; else all, but
-/// not the rim of a flat sheet. `max_degree` and `extra_area` as for `mindeg fill`: without a degree, for each loop the least from 6 up that
+/// not the rim of a flat sheet. With `interior`, fillings have points inside, 5 to 7 edges at each vertex and the rim, and continue
+/// the mesh smoothly. `max_degree` and `extra_area` as for `mindeg fill`: without a degree, for each loop the least from 6 up that
 /// takes no more than this share of area more. Loops of `max_loop` vertices or more stay open. `groups["fill"]` of the result are the new
 /// triangles, after all others; `report` has the keys of `mindeg fill --json`, whose loops are counted from 1.
 #[pyfunction]
 #[pyo3(
-    signature = (points, triangles=None, *, through=None, max_degree=None, extra_area=EXTRA_AREA, max_loop=500),
-    text_signature = "(points, triangles=None, *, through=None, max_degree=None, extra_area=0.05, max_loop=500)"
+    signature = (points, triangles=None, *, interior=false, through=None, max_degree=None, extra_area=EXTRA_AREA, max_loop=500),
+    text_signature = "(points, triangles=None, *, interior=False, through=None, max_degree=None, extra_area=0.05, max_loop=500)"
 )]
 pub(crate) fn fill(
     py: Python<'_>,
     points: &Bound<'_, PyAny>,
     triangles: Option<&Bound<'_, PyAny>>,
+    interior: bool,
     through: Option<Vec<u32>>,
     max_degree: Option<u32>,
     extra_area: f64,
@@ -117,7 +119,8 @@ pub(crate) fn fill(
     let only = through.map(|through| {
         through.into_iter().map(|vertex| loop_through(&loops, vertex, "the mesh")).collect()
     });
-    let options = FillOptions { max_degree, extra_area, max_loop, only: only.transpose()? };
+    let options =
+        FillOptions { max_degree, extra_area, max_loop, only: only.transpose()?, interior };
     let filled = done(py, |progress| closed(mesh, &loops, &options, progress))?;
     let answer = FillAnswer::of("", &filled, &loops);
     if filled.filled.is_empty() {

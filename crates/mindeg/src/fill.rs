@@ -11,9 +11,13 @@
 //!
 //! Limits: the filling may cross other triangles; [`Filled::crossings`] names where.
 
+mod fairing;
+mod inside;
 mod joint;
 mod posed;
 
+pub use self::inside::Inside;
+use self::inside::{Around, NoPoints};
 use self::joint::{Share, Shares};
 use self::posed::posed;
 use crate::error::MeshError;
@@ -24,7 +28,7 @@ use mindeg_mesh::crossing::crossings;
 use mindeg_mesh::parallel::map_all;
 use mindeg_mesh::quality::TriangleQuality;
 use mindeg_mesh::{Cancelled, Progress, Step, TriMesh};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::{ControlFlow, Range};
 
 /// The name of the group of new triangles.
@@ -57,12 +61,16 @@ pub struct FillOptions {
     pub max_loop: usize,
     /// The indices of the loops to fill; without indices, all loops but the rims of flat sheets.
     pub only: Option<Vec<usize>>,
+    /// Whether fillings have points inside: edges as long as those of the rim, 5 to 7 of them at each vertex of the filling and
+    /// its rim, in a surface that continues the mesh around as smoothly as it can.
+    pub interior: bool,
 }
 
-/// 500 vertices, no limit of its own, all loops.
+/// 500 vertices, no limit of its own, all loops, no points inside.
 impl Default for FillOptions {
     fn default() -> Self {
-        Self { max_degree: None, extra_area: EXTRA_AREA, max_loop: 500, only: None }
+        let (max_degree, only) = (None, None);
+        Self { max_degree, extra_area: EXTRA_AREA, max_loop: 500, only, interior: false }
     }
 }
 
@@ -103,6 +111,8 @@ pub struct FilledLoop {
     pub least_limit: Option<(u32, f64)>,
     /// The minimum angle of its triangles, in degrees.
     pub min_angle: f64,
+    /// Its points inside, or why it has none though they were asked for; `None` if they were not.
+    pub inside: Option<Result<Inside, String>>,
 }
 
 /// A loop that stays open.
@@ -246,24 +256,60 @@ fn fill_with(
     }
     left.sort_by_key(|left| left.index);
     let first_triangle = mesh.triangles().len();
+    let mut points = Vec::new();
     let (mut filled, mut triangles) = (Vec::new(), Vec::new());
-    for (index, (solved, own)) in solutions {
-        let start = first_triangle + triangles.len();
-        filled.push(FilledLoop {
+    let mut around = Around::of(&mesh, &loops, if options.interior { all } else { &[] });
+    for (index, (solved, plain)) in solutions {
+        let rim = &all[index].vertices;
+        let mut found = FilledLoop {
             index,
-            vertices: all[index].vertices.len(),
-            // Checked below, before anybody sees it.
-            triangles: start as u32..(start + own.len()) as u32,
+            vertices: rim.len(),
+            triangles: 0..0,
             limit: solved.limit,
             max_degree: solved.max_degree,
             area: solved.area,
             without_limit: solved.without_limit,
             least_limit: solved.least_limit,
-            min_angle: min_angle(mesh.positions(), &own),
-        });
+            min_angle: 0.0,
+            inside: None,
+        };
+        let mut own = plain;
+        if options.interior {
+            let next = mesh.positions().len() + points.len();
+            match around.meshed(&mesh, rim, &own, next, progress) {
+                Ok(filling) => {
+                    own = filling.triangles;
+                    points.extend(filling.points);
+                    let vertices = next as u32..(mesh.positions().len() + points.len()) as u32;
+                    found.inside = Some(Ok(Inside::of(vertices)));
+                }
+                Err(NoPoints::Cancelled) => return Err(Cancelled.into()),
+                Err(NoPoints::Because(reason)) => found.inside = Some(Err(reason)),
+            }
+            around.add(&own);
+        }
+        let start = first_triangle + triangles.len();
+        // Checked below, before anybody sees it.
+        found.triangles = start as u32..(start + own.len()) as u32;
         triangles.extend(own);
+        filled.push(found);
     }
-    let mesh = mesh.with_triangles_added(FILL, &triangles)?;
+    let mesh = mesh.with_vertices_added(&points)?.with_triangles_added(FILL, &triangles)?;
+    if options.interior {
+        loops = Loops::of(&mesh);
+    }
+    let is_open: BTreeSet<u32> = loops.list().iter().flat_map(|it| &it.vertices).copied().collect();
+    for found in &mut filled {
+        let own = found.triangles.start as usize..found.triangles.end as usize;
+        let own = &mesh.triangles()[own];
+        found.min_angle = min_angle(mesh.positions(), own);
+        if let Some(Ok(inside)) = &mut found.inside {
+            let degree = |v: u32| (loops.degrees[v as usize], is_open.contains(&v));
+            inside.judge(&all[found.index].vertices, degree);
+            found.max_degree = inside.degrees[1];
+            found.area = area(mesh.positions(), own);
+        }
+    }
     progress.report("looking for crossings", 0, 1)?;
     let new = first_triangle as u32..mesh.triangles().len() as u32;
     let crossings = crossings(mesh.positions(), &loops.merged(mesh.triangles()), new);
@@ -297,4 +343,13 @@ pub(crate) fn min_angle(positions: &[DVec3], triangles: &[[u32; 3]]) -> f64 {
         TriangleQuality::in_space(a, b, c).min_angle
     };
     triangles.iter().map(angle).fold(f64::INFINITY, f64::min)
+}
+
+/// The area of some triangles.
+fn area(positions: &[DVec3], triangles: &[[u32; 3]]) -> f64 {
+    let doubled = |corners: &[u32; 3]| {
+        let [a, b, c] = corners.map(|vertex| positions[vertex as usize]);
+        (b - a).cross(c - a).length()
+    };
+    triangles.iter().map(doubled).sum::<f64>() / 2.0
 }

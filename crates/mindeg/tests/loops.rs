@@ -589,3 +589,92 @@ fn the_degree_of_the_whole_counts_vertices_at_one_place_once() {
     assert_eq!((closed.mesh.max_degree(), closed.max_degree), (5, 4));
     assert_eq!(closed.max_degree, inspected(&closed.mesh).max_degree());
 }
+
+/// A ball by latitudes and longitudes, without what is above a height.
+fn bowl(height: f64) -> TriMesh {
+    let (rings, around) = (24_u32, 40_u32);
+    let mut points = vec![-DVec3::Z];
+    let mut triangles: Vec<[u32; 3]> = Vec::new();
+    let at = |ring: u32, i: u32| 1 + (ring - 1) * around + i % around;
+    for ring in 1..rings {
+        let turn = std::f64::consts::PI * f64::from(ring) / f64::from(rings);
+        let (radius, z) = (libm::sin(turn), -libm::cos(turn));
+        if z > height {
+            break;
+        }
+        for i in 0..around {
+            let turn = std::f64::consts::TAU * (f64::from(i) + 0.5 * f64::from(ring % 2))
+                / f64::from(around);
+            points.push(DVec3::new(radius * libm::cos(turn), radius * libm::sin(turn), z));
+            let next = (i + 1) % around;
+            if ring == 1 {
+                triangles.push([0, at(1, next), at(1, i)]);
+                continue;
+            }
+            let [a, b] = [i, next].map(|i| at(ring - 1, i));
+            let [c, d] = [i, next].map(|i| at(ring, i));
+            triangles.extend(if ring % 2 == 1 {
+                [[a, b, c], [b, d, c]]
+            } else {
+                [[a, b, d], [a, d, c]]
+            });
+        }
+    }
+    TriMesh::new(points, triangles).unwrap()
+}
+
+#[test]
+fn points_inside_go_on_as_the_mesh_around_does() {
+    let open = bowl(0.4);
+    let loops = Loops::of(&open);
+    let options = FillOptions { interior: true, ..every(&loops) };
+    let found = fill(open.clone(), &loops, &options, Progress::NONE).unwrap();
+    assert_sound(&found.mesh, 0, 2);
+    assert_kept(&open, &found.mesh, FILL);
+    let [filled] = &found.filled[..] else { panic!("{found:?}") };
+    let inside = filled.inside.clone().unwrap().unwrap();
+    assert!(inside.vertices.len() > 40 && inside.off_degree.is_empty(), "{inside:?}");
+    assert!(inside.degrees[0] >= 5 && inside.degrees[1] <= 7 && filled.max_degree <= 7);
+    assert!(filled.min_angle > 30.0, "{filled:?}");
+    assert!(found.crossings.is_empty());
+    for v in inside.vertices.clone() {
+        let length = found.mesh.positions()[v as usize].length();
+        assert!((0.8..1.05).contains(&length), "{length}");
+    }
+    let degrees = found.mesh.degrees();
+    assert!(inside.vertices.clone().all(|v| (5..=7).contains(&degrees[v as usize])));
+    let again = fill(open, &loops, &options, Progress::NONE).unwrap();
+    assert_eq!(again.mesh, found.mesh);
+}
+
+/// A flat sheet with a hole that is not convex stays flat, and both holes that share a vertex are filled.
+#[test]
+fn points_inside_stay_in_the_plane_of_a_sheet() {
+    let n = 16_u32;
+    let is_hole = |i: u32, j: u32| {
+        (3..9).contains(&i) && (3..6).contains(&j)
+            || (3..6).contains(&i) && (3..10).contains(&j)
+            || (9..12).contains(&i) && (6..10).contains(&j)
+    };
+    let at = |i: u32, j: u32| i * (n + 1) + j;
+    let points =
+        (0..=n).flat_map(|i| (0..=n).map(move |j| DVec3::new(f64::from(i), f64::from(j), 2.0)));
+    let cells = (0..n).flat_map(|i| (0..n).map(move |j| (i, j))).filter(|&(i, j)| !is_hole(i, j));
+    let triangles = cells.flat_map(|(i, j)| {
+        [[at(i, j), at(i + 1, j), at(i + 1, j + 1)], [at(i, j), at(i + 1, j + 1), at(i, j + 1)]]
+    });
+    let open = TriMesh::new(points.collect(), triangles.collect()).unwrap();
+    let loops = Loops::of(&open);
+    let options = FillOptions { interior: true, ..FillOptions::default() };
+    let found = fill(open.clone(), &loops, &options, Progress::NONE).unwrap();
+    assert_kept(&open, &found.mesh, FILL);
+    assert_eq!((found.filled.len(), found.left.len()), (2, 1));
+    assert!(found.crossings.is_empty());
+    for filled in &found.filled {
+        let inside = filled.inside.clone().unwrap().unwrap();
+        assert!(inside.off_degree.is_empty() && filled.min_angle > 25.0, "{filled:?}");
+        for v in inside.vertices {
+            assert!((found.mesh.positions()[v as usize].z - 2.0).abs() < 1e-9);
+        }
+    }
+}

@@ -11,6 +11,7 @@ const EXAMPLES: &str = "\
 Examples:
   mindeg fill part.obj -o closed.obj
   mindeg fill part.obj -o closed.glb --max-loop 100 --max-degree 8
+  mindeg fill scan.obj -o closed.obj --interior
   mindeg fill part.obj -o cup.obj --loop 0,0,0";
 
 /// Close the holes of a mesh: each boundary loop by the triangulation of least area under a limit
@@ -21,7 +22,7 @@ Examples:
 /// triangles are the group "fill", after all others. Vertices at the same place count as one.
 ///
 /// Loops that run into an edge with three faces or more, whose faces do not agree in orientation,
-/// or that bound a single triangle stay open, and the summary says why. New triangles that cross
+/// or that bound a single triangle stay open, and the summary says why. --interior adds points inside. New triangles that cross
 /// others are counted and named. The rim of a flat sheet stays open unless --loop names it. The outer
 /// boundary of a bent open surface is a loop as well: keep it open with --max-loop, or name the loops to
 /// fill with --loop.
@@ -34,6 +35,11 @@ pub(crate) struct FillArguments {
 
     #[command(flatten)]
     pub(crate) surface: SurfaceArguments,
+
+    /// Add points inside: edges as long as those of the loop, 5 to 7 at each vertex of the filling and the loop, and a
+    /// surface that continues the mesh around it smoothly. --max-degree and --extra-area decide the filling that it begins with
+    #[arg(long)]
+    pub(crate) interior: bool,
 
     /// The largest total degree of a vertex on a loop; without it, for each loop the least that is
     /// possible from 6 up and takes no more than --extra-area
@@ -61,7 +67,7 @@ pub(crate) struct FillArguments {
 
     /// Print JSON: file, vertices, triangles, max_degree, filled (loop, vertices, first_vertex,
     /// limit, max_degree, area, area_without_limit, least_limit, area_at_least_limit, degree_without_limit, min_angle,
-    /// triangles), left_open (loop, vertices, first_vertex, reason), crossings (pairs of triangles), dropped, files.
+    /// triangles, vertices_inside, degrees, off_degree, without_points), left_open (loop, vertices, first_vertex, reason), crossings (pairs of triangles), dropped, files.
     /// Loops are counted from 1, vertices and triangles from 0
     #[arg(long)]
     pub(crate) json: bool,

@@ -2,6 +2,8 @@
 
 use std::collections::HashMap;
 
+use glam::DVec3;
+
 use super::{Degrees, TriMesh, TriMeshError, check_vertices};
 use crate::mesh::{Group, Line, NamedVertex, PeriodicLine};
 use crate::polygons::{NonTriangles, Polygons};
@@ -43,6 +45,26 @@ impl TriMesh {
         if let Some(polygons) = &mut self.polygons {
             polygons.triangle_starts.extend(start + 1..=end);
             polygons.corners.extend(triangles.iter().flatten());
+        }
+        self.degrees = Degrees::default();
+        Ok(self)
+    }
+
+    /// The same mesh with more vertices, which no triangle has yet; where others have depths, theirs are 0. O(k) for k vertices.
+    ///
+    /// # Errors
+    ///
+    /// A coordinate that is not finite, or more than `u32::MAX` vertices.
+    pub fn with_vertices_added(mut self, positions: &[DVec3]) -> Result<Self, TriMeshError> {
+        let all = self.positions.len() + positions.len();
+        u32::try_from(all).map_err(|_| TriMeshError::too_many("vertices", all))?;
+        if let Some(bad) = positions.iter().position(|position| !position.is_finite()) {
+            let message = format!("new vertex {bad} has a coordinate that is not a finite number");
+            return Err(TriMeshError(message));
+        }
+        self.positions.extend_from_slice(positions);
+        if !self.depths.is_empty() {
+            self.depths.resize(all, 0.0);
         }
         self.degrees = Degrees::default();
         Ok(self)
@@ -218,6 +240,18 @@ mod tests {
         let error = quad().with_triangles_added("fill", &[[0, 1, 4]]).unwrap_err();
         assert!(error.to_string().contains("names vertex 4 "), "{error}");
         assert_eq!(quad().with_triangles_added("fill", &[]).unwrap(), quad());
+    }
+
+    #[test]
+    fn vertices_are_appended() {
+        let mesh = quad().with_depths(vec![1.0; 4]).with_vertices_added(&[DVec3::Z]).unwrap();
+        assert_eq!((mesh.positions().len(), mesh.positions()[4]), (5, DVec3::Z));
+        assert_eq!(mesh.degrees().len(), 5);
+        let mut depths = [9.0; 5];
+        crate::Positions::fill_depths(&mesh, 0, &mut depths);
+        assert_eq!(depths, [1.0, 1.0, 1.0, 1.0, 0.0]);
+        let error = quad().with_vertices_added(&[DVec3::NAN]).unwrap_err();
+        assert!(error.to_string().contains("new vertex 0 "), "{error}");
     }
 
     #[test]
