@@ -1,5 +1,6 @@
 //! Every format into every other.
 
+use crate::mesh::text;
 use crate::run::mindeg;
 use mindeg_formats::Format;
 use std::fs;
@@ -97,4 +98,21 @@ fn the_kind_of_a_side_reaches_fort_14_with_and_without_interior_points() {
             assert!(text.contains(line), "{interior}: {text}");
         }
     }
+}
+
+#[test]
+fn values_at_vertices_that_no_output_has_are_told_by_each_command() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let square = folder.path().join("square.off");
+    fs::write(&square, "STOFF\n4 2 0\n0 0 0 0 0\n1 0 0 1 0\n1 1 0 1 1\n0 1 0 0 1\n3 0 1 2 255 0 0\n3 0 2 3 255 0 0\n")
+        .expect("a file");
+    for command in ["convert", "improve"] {
+        let output = folder.path().join(format!("{command}.off"));
+        let run = mindeg([command, text(&square), "-o", text(&output)]);
+        assert_eq!(run.code, Some(0), "{run:?}");
+        assert!(run.errors.contains("Not in the mesh: texture coordinates, colors.\n"), "{run:?}");
+    }
+    let plain = folder.path().join("convert.off");
+    let run = mindeg(["convert", text(&plain), "-o", text(&folder.path().join("again.off"))]);
+    assert!(run.code == Some(0) && !run.errors.contains("Not in the mesh"), "{run:?}");
 }

@@ -5,6 +5,7 @@ use crate::run::{mindeg, mindeg_reading};
 use mindeg_formats::obj;
 use serde_json::{Value, json};
 use std::fs;
+use std::path::Path;
 use tempfile::tempdir;
 
 /// A rectangle whose left side is coarse between two fine ones.
@@ -343,4 +344,24 @@ fn sizes_come_from_grids_and_background_meshes() {
         ["mesh", "--rectangle", "8x4", "--size", "0.5", "--interior", "--sizes", text(&grid), "-o"];
     mindeg(same.into_iter().chain([text(&grid), "--format", "obj"]))
         .refuses(&["is the file of sizes itself"]);
+}
+
+#[test]
+fn an_angle_that_nobody_asked_for_is_offered() {
+    let at =
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/domains/plate-with-holes.json");
+    let folder = tempdir().expect("a folder");
+    let output = folder.path().join("plate.obj");
+    let run = |options: &[&str]| {
+        mindeg(["mesh", text(&at), "--interior", "-o", text(&output)].iter().chain(options))
+    };
+    let plain = run(&[]);
+    assert!(
+        plain
+            .errors
+            .contains("hint: no more than 35° is asked for; --target-angle 42 looks for more"),
+        "{plain:?}"
+    );
+    let asked = run(&["--target-angle", "42"]);
+    assert!(asked.code == Some(0) && !asked.errors.contains("hint: no more"), "{asked:?}");
 }

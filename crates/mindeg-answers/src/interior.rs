@@ -9,6 +9,13 @@ use mindeg::interior::{
 use serde::Serialize;
 use std::ops::RangeInclusive;
 
+/// The minimum angle that a search without a target aims at, in degrees.
+const UNASKED: f64 = 35.0;
+/// Angles beyond are found on no ordinary boundary, in degrees.
+const MOST_SOUGHT: f64 = 45.0;
+/// The share of the limit that another search can be asked for.
+const ALL_BUT: f64 = 0.95;
+
 /// How many violations a text names.
 const NAMED: usize = 5;
 
@@ -227,6 +234,19 @@ pub fn angles_and_degrees(report: &InteriorReport) -> String {
         percent(report.share_of_limit),
         steady_angle(report.max_angle),
     )
+}
+
+/// That a search for a larger minimum angle was not asked for, where the boundary allows one: a hint, and how to ask.
+#[must_use]
+pub fn more_on_request(report: &InteriorReport, target: Option<f64>) -> Option<String> {
+    let sought = libm::floor(ALL_BUT * report.angle_limit.min(MOST_SOUGHT));
+    // Below, the search did not find what it aims at.
+    let is_open = target.is_none() && report.min_angle >= UNASKED;
+    (is_open && sought > report.min_angle + 1.0).then(|| {
+        format!(
+            "hint: no more than {UNASKED}° is asked for; --target-angle {sought} looks for more"
+        )
+    })
 }
 
 /// How much neighbouring triangles differ, in a sentence.

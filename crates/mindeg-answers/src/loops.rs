@@ -304,7 +304,8 @@ impl BridgeAnswer {
 }
 
 /// The sentence on the kinds of values that files have and a mesh lacks, if there are some.
-pub(crate) fn not_in_the_mesh(dropped: &[&str]) -> Option<String> {
+#[must_use]
+pub fn not_in_the_mesh(dropped: &[&str]) -> Option<String> {
     (!dropped.is_empty()).then(|| format!("Not in the mesh: {}.", dropped.join(", ")))
 }
 

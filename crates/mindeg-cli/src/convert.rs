@@ -10,6 +10,7 @@ pub(crate) fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
     let surface = &arguments.surface;
     let mut making = Making::new(surface, &surface.output, arguments.quiet, false)?;
     let mesh = making.read(&arguments.file)?;
+    making.tell_dropped([&mesh]);
     making.check(&mesh, mesh.triangle_count())?;
     making.open()?;
     // If the file does not give the boundary, solvers still need it.

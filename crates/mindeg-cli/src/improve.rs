@@ -31,6 +31,7 @@ pub(crate) fn run(arguments: &ImproveArguments) -> Result<(), Failure> {
     let surface = &arguments.surface;
     let mut making = Making::new(surface, &surface.output, arguments.quiet, arguments.json)?;
     let mesh = making.read(&arguments.file)?;
+    making.tell_dropped([&mesh]);
     let file = arguments.file.display().to_string();
     making.open()?;
     let wanted = arguments.aims.over(None);

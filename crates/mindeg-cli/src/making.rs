@@ -8,6 +8,7 @@ use crate::interrupt::{SESSION, clean_up_on_interrupt};
 use crate::standard_output::print_json;
 use crate::terminal::say;
 use mindeg::{Positions, Progress, Projection, TriMesh};
+use mindeg_answers::loops::not_in_the_mesh;
 use mindeg_files::{Format, Input, Targets};
 use mindeg_mesh::{Mesh, Triangles};
 use serde::Serialize;
@@ -69,6 +70,17 @@ impl Making {
                 formats.join(" and ")
             )
         }));
+    }
+
+    /// Says in the end what values at vertices the files of meshes have and no output will.
+    pub(crate) fn tell_dropped<'m>(&mut self, meshes: impl IntoIterator<Item = &'m TriMesh>) {
+        let mut kinds: Vec<&str> = Vec::new();
+        for kind in meshes.into_iter().flat_map(TriMesh::dropped) {
+            if !kinds.contains(kind) {
+                kinds.push(*kind);
+            }
+        }
+        self.remarks.extend(not_in_the_mesh(&kinds));
     }
 
     /// Reads a mesh that the command takes; its materials will be those of the outputs.

@@ -19,6 +19,7 @@ pub(crate) fn run(arguments: &StitchArguments) -> Result<(), Failure> {
     let read = |path| making.read(path);
     let meshes: Vec<TriMesh> =
         arguments.files.iter().map(|path| path.as_path()).map(read).collect::<Result<_, _>>()?;
+    making.tell_dropped(&meshes);
     let wanted: Interior = arguments.wanted.over(None);
     making.open()?;
     let found = making

@@ -30,6 +30,7 @@ mod corners;
 mod decimals;
 pub mod degree_color;
 mod detect;
+mod dropped;
 mod error;
 mod face_list;
 mod facts;

@@ -4,6 +4,7 @@
 
 use crate::ReadError;
 use crate::corners::{positions, triangles};
+use crate::dropped;
 use crate::face_list::FaceList;
 use crate::facts::Facts;
 use crate::lists::push;
@@ -65,6 +66,13 @@ pub fn read(input: impl BufRead) -> Result<TriMesh, ReadError> {
     let mut words = records.expect("its head")?;
     let line = words;
     let keyword = words.word().unwrap_or_default();
+    let before = keyword.strip_suffix(b"OFF").unwrap_or_default();
+    let (is_textured, before) = match before.strip_prefix(b"ST") {
+        Some(rest) => (true, rest),
+        None => (false, before),
+    };
+    let mut is_colored = before.contains(&b'C');
+    let has_normals = before.contains(&b'N');
     if !keyword.ends_with(b"OFF") {
         words = line;
     } else if keyword.contains(&b'4') || keyword.contains(&b'n') || words.rest.ends_with(b"BINARY")
@@ -97,10 +105,15 @@ pub fn read(input: impl BufRead) -> Result<TriMesh, ReadError> {
             // More vertices than 32 bits count are refused at the end.
             push(&mut corners, corner as u32)?;
         }
+        is_colored |= !words.is_empty();
         short += u64::from(corners.len() < 3);
         faces.push(&corners)?;
     }
-    let mesh = faces.into_mesh(points, NonTriangles::default())?;
+    let mesh = faces.into_mesh(points, NonTriangles::default())?.with_dropped(dropped::found([
+        (dropped::TEXTURE, is_textured),
+        (dropped::NORMALS, has_normals),
+        (dropped::COLORS, is_colored),
+    ]));
     let note = format!("faces with fewer than three corners, left out: {short}");
     Ok(if short > 0 { mesh.with_notes(vec![note]) } else { mesh })
 }

@@ -341,6 +341,50 @@ fn values_of_a_ply_that_are_not_read_are_told() {
 }
 
 #[test]
+fn values_that_are_not_read_are_told_by_one_name_in_all_formats() {
+    let off = |head: &str, values: &str, end: &str| {
+        let file =
+            format!("{head}\n3 1 0\n0 0 0{values}\n1 0 0{values}\n0 1 0{values}\n3 0 1 2{end}\n");
+        mindeg_formats::off::read(file.as_bytes()).unwrap().dropped().to_vec()
+    };
+    assert!(off("OFF", "", "").is_empty());
+    assert_eq!(off("OFF", "", " 255 0 0"), ["colors"]);
+    assert_eq!(
+        off("STCNOFF", " 0 0 1 1 1 1 1 0 0", ""),
+        ["texture coordinates", "normals of the file", "colors"]
+    );
+    assert_eq!(off("NOFF", " 0 0 1", ""), ["normals of the file"]);
+
+    let vtk = |data: &str| {
+        let file = format!(
+            "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 3 double\n0 0 0 1 0 0 0 1 0\n\
+             POLYGONS 1 4\n3 0 1 2\nPOINT_DATA 3\n{data}"
+        );
+        mindeg_formats::vtk::read(file.as_bytes()).unwrap().dropped().to_vec()
+    };
+    assert!(vtk("SCALARS heat double 1\nLOOKUP_TABLE default\n1 2 3\n").is_empty());
+    assert_eq!(vtk("NORMALS n double\n0 0 1 0 0 1 0 0 1\n"), ["normals of the file"]);
+    assert_eq!(vtk("COLOR_SCALARS c 3\n0 0 0 0 0 0 0 0 0\n"), ["colors"]);
+    assert_eq!(vtk("TEXTURE_COORDINATES t 2 double\n0 0 0 0 0 0\n"), ["texture coordinates"]);
+
+    let array =
+        |kind: &str, values: &str| format!("<DataArray type=\"{kind}\" {values}</DataArray>");
+    let vtu = |data: &str| {
+        let file = format!(
+            "<VTKFile type=\"UnstructuredGrid\"><UnstructuredGrid><Piece NumberOfPoints=\"3\" NumberOfCells=\"1\">\
+             <PointData {data}></PointData><Points>{}</Points><Cells>{}{}{}</Cells></Piece></UnstructuredGrid></VTKFile>",
+            array("Float64", "NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0 0 1 0"),
+            array("Int32", "Name=\"connectivity\" format=\"ascii\">0 1 2"),
+            array("Int32", "Name=\"offsets\" format=\"ascii\">3"),
+            array("UInt8", "Name=\"types\" format=\"ascii\">5"),
+        );
+        mindeg_formats::vtu::read(file.as_bytes()).unwrap().dropped().to_vec()
+    };
+    assert!(vtu("Scalars=\"heat\"").is_empty());
+    assert_eq!(vtu("Normals=\"n\" TCoords=\"t\""), ["texture coordinates", "normals of the file"]);
+}
+
+#[test]
 fn faces_that_are_not_convex_are_cut_within() {
     let points = "3 0 0\n3 1 0\n1 1 0\n1 3 0\n0 3 0\n0 0 0\n";
     let file = format!("OFF\n6 1 0\n{points}6 0 1 2 3 4 5\n");

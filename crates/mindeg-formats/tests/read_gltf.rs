@@ -359,6 +359,8 @@ fn values_at_vertices_that_are_not_read_are_told() {
     assert_eq!(dropped(textures), ["texture coordinates", "second texture coordinates", "colors"]);
     let normals = json!({"POSITION": 0, "NORMAL": 0, "TANGENT": 0});
     assert_eq!(dropped(normals), ["normals of the file", "tangents"]);
+    let skins = json!({"POSITION": 0, "JOINTS_0": 0, "WEIGHTS_0": 0});
+    assert_eq!(dropped(skins), ["joints and weights of skins"]);
 }
 
 #[test]

@@ -160,7 +160,9 @@ pub enum InteriorError {
         rounding: f64,
     },
     /// More points than allowed.
-    #[error("the mesh needs more than {max} points; raise the size inside or the sizes at places")]
+    #[error(
+        "the mesh needs more than {max} points; raise the size inside or the sizes at places, or allow more by max_points"
+    )]
     TooManyPoints {
         /// How many are allowed.
         max: usize,

@@ -13,7 +13,8 @@ use mindeg::{Depths, Domain, Interior, Size, TriMesh};
 use mindeg_answers::advice::Purpose;
 use mindeg_answers::condition::ConditionAnswer;
 use mindeg_answers::interior::{
-    InteriorAnswer, angles_and_degrees, corners, grading, local_limits, unmet_degrees, violations,
+    InteriorAnswer, angles_and_degrees, corners, grading, local_limits, more_on_request,
+    unmet_degrees, violations,
 };
 use mindeg_answers::limit::{Lifting, LimitAnswer};
 use mindeg_answers::names::{region_count, shown};
@@ -220,6 +221,7 @@ pub(super) fn run(
             .chain([text(&name(domain), &found, &lifting, &summary)])
             .chain(depth_words)
             .chain(domain.notes())
+            .chain(more_on_request(&found.report, wanted.target_angle))
             .collect::<Vec<_>>()
             .join("\n")
     };

@@ -198,8 +198,8 @@ impl<'a> Surface<'a> {
         let Some((node, mesh_index, mesh)) = self.mesh_of(index)? else { return Ok(()) };
         self.notes.skins += usize::from(node.skin.is_some());
         self.notes.instances += usize::from(node.extensions.instancing.is_some());
-        for (kind, is_there) in mesh.primitives.iter().flat_map(|it| it.attributes.dropped()) {
-            if is_there && !self.notes.dropped.contains(&kind) {
+        for kind in mesh.primitives.iter().flat_map(|it| it.attributes.dropped()) {
+            if !self.notes.dropped.contains(&kind) {
                 self.notes.dropped.push(kind);
             }
         }

@@ -6,6 +6,7 @@
 
 use super::json_words;
 use crate::ReadError;
+use crate::dropped;
 use serde::de::{Error, IgnoredAny, Unexpected, Visitor};
 use serde::{Deserialize, Deserializer};
 use std::borrow::Cow;
@@ -176,18 +177,21 @@ pub(super) struct Attributes {
     tangent: Option<IgnoredAny>,
     #[serde(rename = "COLOR_0")]
     color: Option<IgnoredAny>,
+    #[serde(rename = "JOINTS_0")]
+    joints: Option<IgnoredAny>,
 }
 
 impl Attributes {
-    /// The kinds of values that are not read, and whether they are there.
-    pub(super) fn dropped(&self) -> [(&'static str, bool); 5] {
-        [
-            ("texture coordinates", self.texture.is_some()),
-            ("second texture coordinates", self.second_texture.is_some()),
-            ("normals of the file", self.normal.is_some()),
-            ("tangents", self.tangent.is_some()),
-            ("colors", self.color.is_some()),
-        ]
+    /// The kinds of values that are there and not read.
+    pub(super) fn dropped(&self) -> Vec<&'static str> {
+        dropped::found([
+            (dropped::TEXTURE, self.texture.is_some()),
+            (dropped::SECOND_TEXTURE, self.second_texture.is_some()),
+            (dropped::NORMALS, self.normal.is_some()),
+            (dropped::TANGENTS, self.tangent.is_some()),
+            (dropped::COLORS, self.color.is_some()),
+            (dropped::SKINS, self.joints.is_some()),
+        ])
     }
 }
 

@@ -4,6 +4,7 @@ use super::library::{Libraries, UsedMaterials};
 use super::references::{Numbered, Unknown, leading_number};
 use super::words::Words;
 use crate::ReadError;
+use crate::dropped;
 use crate::face_list::FaceList;
 use crate::lines::Lines;
 use crate::lists::push;
@@ -379,12 +380,11 @@ impl Contents {
 
     fn into_mesh(mut self, colors: &HashMap<String, [f32; 4]>) -> Result<TriMesh, ReadError> {
         self.check()?;
-        let dropped = [
-            ("texture coordinates", self.texture_coordinates.count > 0),
-            ("normals of the file", self.normals.count > 0),
-            ("colors", self.has_colors),
-        ];
-        let dropped = dropped.into_iter().filter(|(_, is_there)| *is_there).map(|(kind, _)| kind);
+        let dropped = dropped::found([
+            (dropped::TEXTURE, self.texture_coordinates.count > 0),
+            (dropped::NORMALS, self.normals.count > 0),
+            (dropped::COLORS, self.has_colors),
+        ]);
         self.lines
             .iter_mut()
             .filter(|line| line.name.is_empty())
@@ -393,7 +393,7 @@ impl Contents {
         self.non_triangles.line_segments = self.segments.len() as u64;
         self.materials.give_to(&mut self.groups, colors);
         let mesh = self.faces.into_mesh(self.positions, self.non_triangles)?;
-        let mesh = mesh.with_dropped(dropped.collect());
+        let mesh = mesh.with_dropped(dropped);
         Ok(mesh.with_groups(self.groups).with_lines(self.lines, self.segments)?)
     }
 }

@@ -3,6 +3,7 @@
 use super::header::{Element, Header, Property};
 use crate::ReadError;
 use crate::bytes::Bytes;
+use crate::dropped;
 use crate::face_list::FaceList;
 use crate::lists::push;
 use crate::numbers::{Numbers, Scalar};
@@ -59,7 +60,7 @@ pub fn read(mut input: impl BufRead) -> Result<TriMesh, ReadError> {
         short: 0,
         passed_over: Vec::new(),
     };
-    let dropped = dropped(&header);
+    let dropped = dropped_of(&header);
     for element in &header.elements {
         match &*element.name {
             "vertex" => contents.take_vertices(element)?,
@@ -71,19 +72,18 @@ pub fn read(mut input: impl BufRead) -> Result<TriMesh, ReadError> {
 }
 
 /// The kinds of values at vertices and corners that the mesh lacks, by the names that programs give them.
-fn dropped(header: &Header) -> Vec<&'static str> {
-    let kinds: [(_, &[&str]); 3] = [
-        ("texture coordinates", &["s", "u", "texture_u", "texcoord"]),
-        ("normals of the file", &["nx"]),
-        ("colors", &["red", "r", "diffuse_red"]),
-    ];
+fn dropped_of(header: &Header) -> Vec<&'static str> {
     let properties = || {
         let elements = header.elements.iter().filter(|element| element.count > 0);
         let whole = elements.filter(|element| matches!(&*element.name, "vertex" | "face"));
         whole.flat_map(|element| &element.properties)
     };
     let is_there = |names: &[&str]| properties().any(|it| names.contains(&&*it.name));
-    kinds.into_iter().filter(|(_, names)| is_there(names)).map(|(kind, _)| kind).collect()
+    dropped::found([
+        (dropped::TEXTURE, is_there(&["s", "u", "texture_u", "texcoord"])),
+        (dropped::NORMALS, is_there(&["nx"])),
+        (dropped::COLORS, is_there(&["red", "r", "diffuse_red"])),
+    ])
 }
 
 /// Where the numbers of the rows come from.

@@ -5,6 +5,7 @@ use std::io::Read;
 use mindeg_mesh::TriMesh;
 
 use crate::ReadError;
+use crate::dropped;
 use crate::grid::{CellData, Cells, Grid};
 use crate::lists::push;
 use crate::numbers::{Numbers, Scalar, Value};
@@ -111,6 +112,8 @@ struct Contents {
     count: u64,
     /// Where the cells begin in the file.
     start: usize,
+    /// Whether there are texture coordinates, normals and colors.
+    has: [bool; 3],
 }
 
 impl Contents {
@@ -164,6 +167,7 @@ impl Contents {
                 self.take_data(scanner, b"", count, Some(Scalar::Unsigned(1)))?;
             }
             b"COLOR_SCALARS" => {
+                self.has[2] = true;
                 scanner.word();
                 let components = scanner.size("the number of components")?;
                 let count = product(scanner, self.count, components)?;
@@ -193,7 +197,9 @@ impl Contents {
             }
         };
         let name = scanner.word().unwrap_or_default();
+        self.has[1] |= word == b"NORMALS";
         if word == b"TEXTURE_COORDINATES" {
+            self.has[0] = true;
             components = scanner.size("the number of dimensions")?;
         }
         let kind = kind(scanner)?;
@@ -364,7 +370,12 @@ impl Contents {
         }
         let cells = Cells { connectivity: &connectivity, ends: &ends, types: &types, data: &data };
         grid.add_cells(0, &cells, problem)?;
-        grid.into_mesh()
+        let [has_texture, has_normals, has_colors] = self.has;
+        Ok(grid.into_mesh()?.with_dropped(dropped::found([
+            (dropped::TEXTURE, has_texture),
+            (dropped::NORMALS, has_normals),
+            (dropped::COLORS, has_colors),
+        ])))
     }
 }
 

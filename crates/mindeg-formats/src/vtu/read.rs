@@ -8,6 +8,7 @@ use mindeg_mesh::TriMesh;
 use super::array::{Storage, values};
 use super::xml::{Tag, next_tag};
 use crate::ReadError;
+use crate::dropped;
 use crate::grid::{CellData, Cells, Grid};
 
 /// Reads a mesh from a VTU.
@@ -66,6 +67,7 @@ fn contents(file: &[u8], mut at_points: Option<&mut Vec<f64>>) -> Result<TriMesh
     let mut piece: Option<Piece<'_>> = None;
     // The element that arrays are in.
     let mut inside: &[u8] = b"";
+    let mut has = [false; 2];
     while let Some(tag) = next_tag(&file[..end], offset)? {
         offset = tag.end;
         match (tag.name, tag.is_end) {
@@ -86,11 +88,15 @@ fn contents(file: &[u8], mut at_points: Option<&mut Vec<f64>>) -> Result<TriMesh
             (b"AppendedData", _) => break,
             (name @ (b"FieldData" | b"PointData" | b"CellData" | b"Points" | b"Cells"), false) => {
                 inside = name;
+                for (has, named) in has.iter_mut().zip(["TCoords", "Normals"]) {
+                    *has |= tag.attribute(named).is_some();
+                }
             }
             _ => {}
         }
     }
-    grid.into_mesh()
+    let kinds = [(dropped::TEXTURE, has[0]), (dropped::NORMALS, has[1])];
+    Ok(grid.into_mesh()?.with_dropped(dropped::found(kinds)))
 }
 
 /// How numbers are stored, and where the first element ends.
