@@ -60,8 +60,9 @@ impl Sketch<'_> {
         let (degrees, excess) = self.change(&counts);
         let [one, two] = [[c, a, d], [c, d, b]];
         // Most end here: new shapes cost nothing at best.
-        let most = most + self.shape([c, a, b]) + self.shape([d, b, a]) - degrees;
-        if most < 0.0 || self.shape(one) + self.shape(two) > most {
+        let most = most + self.shape_of(triangle) + self.shape_of(other) - degrees;
+        let first = if most < 0.0 { return } else { self.shape(one) };
+        if first > most || first + self.shape(two) > most {
             return;
         }
         let is_chord = !self.is_free(c) && !self.is_free(d);
@@ -71,8 +72,8 @@ impl Sketch<'_> {
         let [left, right] = [(triangle, corner), (other, opposite)].map(|at| self.beside(at));
         // Across b-c, c-a; across a-d, d-b.
         let ([bc, ca], [ad, db]) = (left, right);
-        self.triangles[triangle as usize] = made(one, [ad.0, other, ca.0], [ad.1, false, ca.1]);
-        self.triangles[other as usize] = made(two, [db.0, bc.0, triangle], [db.1, bc.1, false]);
+        self.put(triangle, made(one, [ad.0, other, ca.0], [ad.1, false, ca.1]));
+        self.put(other, made(two, [db.0, bc.0, triangle], [db.1, bc.1, false]));
         self.relink(ad.0, other, triangle);
         self.relink(bc.0, triangle, other);
         self.count(&counts, excess);
@@ -102,28 +103,18 @@ impl Sketch<'_> {
         degrees += DEGREE * f64::from(own * own);
         excess += own as i32;
         let shapes = [[c, a, m], [c, m, b], [d, b, m], [d, m, a]].map(|t| self.shape(t));
-        let change = shapes.iter().sum::<f64>() - self.shape([c, a, b]) - self.shape([d, b, a]);
+        let change = shapes.iter().sum::<f64>() - self.shape_of(triangle) - self.shape_of(other);
         if degrees + change + self.effort.vertex > most {
             self.unused[1].push(m);
             return;
         }
         let [left, right] = [(triangle, corner), (other, opposite)].map(|at| self.beside(at));
         let ([bc, ca], [ad, db]) = (left, right);
-        let [third, fourth] = [0, 1].map(|_| {
-            self.unused[0].pop().unwrap_or_else(|| {
-                self.triangles.push(Triangle::new([NONE; 3], ()));
-                self.triangles.len() as u32 - 1
-            })
-        });
-        // triangle: c a m; third: c m b; other: d b m; fourth: d m a.
-        self.triangles[triangle as usize] =
-            made([c, a, m], [fourth, third, ca.0], [false, false, ca.1]);
-        self.triangles[third as usize] =
-            made([c, m, b], [other, bc.0, triangle], [false, bc.1, false]);
-        self.triangles[other as usize] =
-            made([d, b, m], [third, fourth, db.0], [false, false, db.1]);
-        self.triangles[fourth as usize] =
-            made([d, m, a], [triangle, ad.0, other], [false, ad.1, false]);
+        let [third, fourth] = [0, 1].map(|_| self.push_triangle());
+        self.put(triangle, made([c, a, m], [fourth, third, ca.0], [false, false, ca.1]));
+        self.put(third, made([c, m, b], [other, bc.0, triangle], [false, bc.1, false]));
+        self.put(other, made([d, b, m], [third, fourth, db.0], [false, false, db.1]));
+        self.put(fourth, made([d, m, a], [triangle, ad.0, other], [false, ad.1, false]));
         self.relink(bc.0, triangle, third);
         self.relink(ad.0, other, fourth);
         self.vertices[m as usize].triangles = 4;
@@ -153,8 +144,7 @@ impl Sketch<'_> {
         }
         let (degrees, excess) = self.change(&counts);
         let degrees = degrees - DEGREE * f64::from(own * own);
-        let old: f64 =
-            star[..count].iter().map(|t| self.shape(self.triangles[*t as usize].vertices)).sum();
+        let old: f64 = star[..count].iter().map(|t| self.shape_of(*t)).sum();
         let new = self.shape(first) + if count == 4 { self.shape(second) } else { 0.0 };
         if degrees + new - old - self.effort.vertex > most {
             return;
@@ -169,16 +159,14 @@ impl Sketch<'_> {
         let [keep, other] = [star[0], star[1]];
         if count == 4 {
             // keep: 0 1 2, other: 0 2 3.
-            self.triangles[keep as usize] =
-                made(first, [rim[1].1, other, rim[0].1], [rim[1].2, false, rim[0].2]);
-            self.triangles[other as usize] =
-                made(second, [rim[2].1, rim[3].1, keep], [rim[2].2, rim[3].2, false]);
+            self.put(keep, made(first, [rim[1].1, other, rim[0].1], [rim[1].2, false, rim[0].2]));
+            self.put(other, made(second, [rim[2].1, rim[3].1, keep], [rim[2].2, rim[3].2, false]));
             self.relink(rim[1].1, star[1], keep);
             self.relink(rim[2].1, star[2], other);
             self.relink(rim[3].1, star[3], other);
         } else {
-            self.triangles[keep as usize] =
-                made(first, [rim[1].1, rim[2].1, rim[0].1], [rim[1].2, rim[2].2, rim[0].2]);
+            let labels = [rim[1].2, rim[2].2, rim[0].2];
+            self.put(keep, made(first, [rim[1].1, rim[2].1, rim[0].1], labels));
             self.relink(rim[1].1, star[1], keep);
             self.relink(rim[2].1, star[2], keep);
         }
@@ -207,10 +195,10 @@ impl Sketch<'_> {
         }
         let Some((star, count)) = self.star::<12>(v, triangle) else { return };
         let (mut sum, mut before) = (DVec2::ZERO, 0.0);
-        for t in &star[..count] {
-            let t = &self.triangles[*t as usize];
+        for index in &star[..count] {
+            let t = &self.triangles[*index as usize];
             sum += self.at(t.vertices[(t.corner(v) + 1) % 3]);
-            before += self.shape(t.vertices);
+            before += self.shape_of(*index);
         }
         let old = self.at(v);
         let t = &self.triangles[triangle as usize];
@@ -220,10 +208,15 @@ impl Sketch<'_> {
             1 => old.lerp(b, share),
             _ => b.midpoint(c) + (c - b).perp() * (1.5 * share),
         };
-        let shapes = star[..count].iter().map(|t| self.shape(self.triangles[*t as usize].vertices));
-        if shapes.sum::<f64>() - before > most {
-            self.vertices[v as usize].at = old;
+        let mut left = most + before;
+        for t in &star[..count] {
+            left -= self.shape(self.triangles[*t as usize].vertices);
+            if left < 0.0 {
+                self.vertices[v as usize].at = old;
+                return;
+            }
         }
+        star[..count].iter().for_each(|t| self.rate(*t));
     }
 }
 
@@ -257,6 +250,7 @@ mod tests {
             let (mut edges, mut counts) = (BTreeSet::new(), vec![0; sketch.vertices.len()]);
             for &t in &alive {
                 let own = sketch.triangles[t as usize];
+                assert_eq!(sketch.shape_of(t), sketch.shape(own.vertices));
                 for i in 0..3 {
                     let ends = [1, 2].map(|j| own.vertices[(i + j) % 3]);
                     assert!(edges.insert(ends), "{ends:?} twice");

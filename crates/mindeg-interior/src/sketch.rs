@@ -37,7 +37,14 @@ pub(crate) struct Sketch<'a> {
     pub(crate) effort: Effort,
     /// The cost of a triangle that is turned over.
     pub(crate) turned: f64,
+    /// The cost of each triangle's shape, or [`TURNED_OVER`].
+    costs: Vec<f64>,
+    /// The edges that stay.
+    edges: Vec<[u32; 2]>,
 }
+
+/// Stands for the cost of a triangle that is turned over, which changes.
+const TURNED_OVER: f64 = -1.0;
 
 impl<'a> Sketch<'a> {
     pub(crate) fn new(mesh: &'a ArrayMesh, weights: &'a Weights, effort: Effort) -> Self {
@@ -46,7 +53,12 @@ impl<'a> Sketch<'a> {
             None => weights.floor_sine,
         };
         let used = (0..).zip(&mesh.vertices).filter(|(_, vertex)| vertex.triangles > 0);
-        Self {
+        let stays = |t: &Triangle, i: usize| t.neighbours[i] == NONE || t.is_locked(i);
+        let edges = mesh.triangles.iter().flat_map(|t| {
+            let own = (0..3).filter(|i| stays(t, *i));
+            own.map(|i| [1, 2].map(|j| t.vertices[(i + j) % 3]))
+        });
+        let mut sketch = Self {
             weights,
             mesh,
             vertices: mesh.vertices.clone(),
@@ -56,7 +68,11 @@ impl<'a> Sketch<'a> {
             effort,
             turned: TURNED[0],
             excess: used.map(|(v, _)| weights.excess(mesh, v)).sum(),
-        }
+            costs: vec![0.0; mesh.triangles.len()],
+            edges: edges.collect(),
+        };
+        (0..mesh.triangles.len() as u32).for_each(|t| sketch.rate(t));
+        sketch
     }
 
     pub(crate) fn at(&self, vertex: u32) -> DVec2 {
@@ -90,8 +106,42 @@ impl<'a> Sketch<'a> {
         (DEGREE * cost, excess)
     }
 
-    /// The cost of a triangle's shape. Infinite if no point of it can move and it is turned over.
+    /// The cost of the shape of three vertices. Infinite if none of them can move and they are turned over.
     pub(crate) fn shape(&self, vertices: [u32; 3]) -> f64 {
+        self.now(self.cost(vertices))
+    }
+
+    /// The cost of a triangle's shape.
+    pub(crate) fn shape_of(&self, triangle: u32) -> f64 {
+        self.now(self.costs[triangle as usize])
+    }
+
+    /// Puts a triangle in the place of another, or after all.
+    pub(crate) fn put(&mut self, at: u32, triangle: Triangle) {
+        self.triangles[at as usize] = triangle;
+        self.rate(at);
+    }
+
+    /// Looks at the shape of a triangle that has changed.
+    pub(crate) fn rate(&mut self, triangle: u32) {
+        let cost = self.cost(self.triangles[triangle as usize].vertices);
+        self.costs[triangle as usize] = cost;
+    }
+
+    /// The index of a new triangle.
+    pub(crate) fn push_triangle(&mut self) -> u32 {
+        self.unused[0].pop().unwrap_or_else(|| {
+            self.triangles.push(Triangle::new([NONE; 3], ()));
+            self.costs.push(0.0);
+            self.triangles.len() as u32 - 1
+        })
+    }
+
+    fn now(&self, cost: f64) -> f64 {
+        if cost == TURNED_OVER { self.turned } else { cost }
+    }
+
+    fn cost(&self, vertices: [u32; 3]) -> f64 {
         let corners @ [a, b, c] = vertices.map(|v| self.at(v));
         let doubled = doubled_area(corners);
         let squares = [a.distance_squared(b), b.distance_squared(c), c.distance_squared(a)];
@@ -99,7 +149,7 @@ impl<'a> Sketch<'a> {
         let longer = (squares[0] * squares[1] * squares[2] / least).sqrt();
         if doubled <= 1e-9 * longer {
             let is_free = vertices.iter().any(|v| self.is_free(*v));
-            return if is_free { self.turned } else { f64::INFINITY };
+            return if is_free { TURNED_OVER } else { f64::INFINITY };
         }
         let sine = |v: u32| self.sines[v as usize];
         let wanted = sine(vertices[0]).min(sine(vertices[1])).min(sine(vertices[2]));
@@ -153,12 +203,7 @@ impl<'a> Sketch<'a> {
             orientation(p, q, r) * orientation(p, q, s) <= 0.0
                 && orientation(r, s, p) * orientation(r, s, q) <= 0.0
         };
-        self.mesh.triangles.iter().all(|t| {
-            (0..3).all(|i| {
-                let stays = t.neighbours[i] == NONE || t.is_locked(i);
-                !stays || !crosses(t.vertices[(i + 1) % 3], t.vertices[(i + 2) % 3])
-            })
-        })
+        self.edges.iter().all(|[u, w]| !crosses(*u, *w))
     }
 
     /// Makes `of` know that `now` lies where `before` lay.
