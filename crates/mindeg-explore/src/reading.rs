@@ -11,7 +11,11 @@ use crate::api::Source;
 /// The most polygons of a file that are given.
 const MOST: usize = 200;
 
-/// The domain of a file, or the maps of its polygons that share edges, then each polygon alone.
+/// The note on polygons that are none without a repair.
+const REPAIRED: &str = "Rings touched or crossed; they were repaired, as --repair does.";
+
+/// The domain of a file, or the maps of its polygons that share edges, then each polygon alone. Where polygons are
+/// refused as they are and not once they are repaired, they are given repaired, with a note.
 ///
 /// # Errors
 ///
@@ -28,8 +32,33 @@ const MOST: usize = 200;
 /// # Ok::<(), mindeg_files::FileError>(())
 /// ```
 pub fn sources(session: &Session, input: &Input<'_>) -> Result<Vec<Source>, FileError> {
+    let plain = read(session, input, &ReadOptions::default());
+    let refused = |sources: &[Source]| {
+        sources.iter().filter(|source| source.domain.is_none() && !source.is_solid).count()
+    };
+    let before = plain.as_ref().map_or(usize::MAX, |sources| refused(sources));
+    if before == 0 {
+        return plain;
+    }
+    match read(session, input, &ReadOptions { repair: true, ..ReadOptions::default() }) {
+        Ok(mut sources) if refused(&sources) < before => {
+            for source in sources.iter_mut().filter(|source| source.domain.is_some()) {
+                source.notes.insert(0, REPAIRED.to_owned());
+            }
+            Ok(sources)
+        }
+        _ => plain,
+    }
+}
+
+/// The same with options.
+fn read(
+    session: &Session,
+    input: &Input<'_>,
+    options: &ReadOptions,
+) -> Result<Vec<Source>, FileError> {
     let name = input.name();
-    let content = session.open(input, Wanted::Domain, &ReadOptions::default(), Progress::NONE);
+    let content = session.open(input, Wanted::Domain, options, Progress::NONE);
     let content = match content {
         Ok(content) => content,
         Err(error) => {
@@ -139,6 +168,20 @@ mod tests {
             let note = given[0].notes.iter().find(|note| note.starts_with("The first"));
             assert_eq!(note.map(String::as_str), expected);
         }
+    }
+
+    #[test]
+    fn a_ring_that_crosses_itself_is_repaired_and_a_note_says_so() {
+        let given = |ring: &str| {
+            let file = format!(r#"{{"type": "Polygon", "coordinates": [{ring}]}}"#);
+            let input = Input::Bytes("bow.geojson", file.as_bytes());
+            sources(&Session::new(""), &input).unwrap()
+        };
+        let bow = given("[[0, 0], [2, 2], [2, 0], [0, 2], [0, 0]]");
+        assert!(!bow.is_empty() && bow.iter().all(|source| source.domain.is_some()));
+        assert_eq!(bow[0].notes[0], REPAIRED);
+        let sound = given("[[0, 0], [2, 0], [2, 2], [0, 2], [0, 0]]");
+        assert!(sound[0].domain.is_some() && !sound[0].notes.contains(&REPAIRED.to_owned()));
     }
 
     #[test]
