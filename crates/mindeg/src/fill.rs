@@ -16,7 +16,7 @@ mod inside;
 mod joint;
 mod posed;
 
-pub use self::inside::Inside;
+pub use self::inside::PointsInside;
 use self::inside::{Around, NoPoints};
 use self::joint::{Share, Shares};
 use self::posed::posed;
@@ -112,7 +112,7 @@ pub struct FilledLoop {
     /// The minimum angle of its triangles, in degrees.
     pub min_angle: f64,
     /// Its points inside, or why it has none though they were asked for; `None` if they were not.
-    pub inside: Option<Result<Inside, String>>,
+    pub inside: Option<Result<PointsInside, String>>,
 }
 
 /// A loop that stays open.
@@ -281,7 +281,7 @@ fn fill_with(
                     own = filling.triangles;
                     points.extend(filling.points);
                     let vertices = next as u32..(mesh.positions().len() + points.len()) as u32;
-                    found.inside = Some(Ok(Inside::of(vertices)));
+                    found.inside = Some(Ok(PointsInside::of(vertices)));
                 }
                 Err(NoPoints::Cancelled) => return Err(Cancelled.into()),
                 Err(NoPoints::Because(reason)) => found.inside = Some(Err(reason)),

@@ -25,7 +25,7 @@ const FILLING: u32 = 1;
 
 /// The points inside a filled loop, and the degrees that they and the rim have.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Inside {
+pub struct PointsInside {
     /// The vertices that were added, by their indices in the mesh.
     pub vertices: Range<u32>,
     /// The least and the greatest total degree of the vertices inside and on the rim.
@@ -179,7 +179,7 @@ fn ordered(stayed: &[DVec3], found: &Remeshed) -> Result<(Vec<DVec3>, Vec<[u32; 
     }
 }
 
-impl Inside {
+impl PointsInside {
     /// Before its degrees are known.
     pub(super) fn of(vertices: Range<u32>) -> Self {
         Self { vertices, degrees: [0; 2], off_degree: Vec::new() }
