@@ -102,6 +102,11 @@ impl Asked {
         }
     }
 
+    /// Whether sizes far from the boundary are asked for, here or there.
+    pub(crate) fn has_base(&self) -> bool {
+        self.inside.is_some() || !self.between.is_empty() || self.regions.is_some()
+    }
+
     /// The sizes at `x` besides those at points.
     pub(crate) fn wanted(&self, x: DVec2) -> Wanted {
         self.wanted_or(x, self.inside)

@@ -19,6 +19,8 @@ pub(crate) struct Sources {
     pub(crate) frozen: EdgeTree,
     pub(crate) places: EdgeTree,
     pub(crate) growth: f64,
+    /// The growth from edges, which may be less.
+    pub(crate) growth_from_edges: f64,
 }
 
 /// What bounds and makes the size at a place.
@@ -85,11 +87,21 @@ impl Sources {
         }
     }
 
+    /// The growth from what is in the tree of a run.
+    fn growth(&self, run: Run) -> f64 {
+        if run.tree == PLACES { self.growth } else { self.growth_from_edges }
+    }
+
     /// The least of size + growth * distance, if less than `least`.
-    pub(crate) fn least_grown(&self, x: DVec2, mut least: f64) -> f64 {
-        for tree in [&self.boundary, &self.frozen, &self.places] {
-            tree.least_grown(self.growth, x, &mut least);
-        }
+    pub(crate) fn least_grown(&self, x: DVec2, least: f64) -> f64 {
+        self.least_grown_by(self.growth_from_edges, x, least)
+    }
+
+    /// The same with another growth from edges.
+    pub(crate) fn least_grown_by(&self, growth: f64, x: DVec2, mut least: f64) -> f64 {
+        self.boundary.least_grown(growth, x, &mut least);
+        self.frozen.least_grown(growth, x, &mut least);
+        self.places.least_grown(self.growth, x, &mut least);
         least
     }
 
@@ -166,7 +178,8 @@ impl Cells {
         }
         let mut grown = cell.grown + sources.growth * x.distance(middle) * HAIR;
         for run in &self.runs[near..end] {
-            sources.tree(*run).least_grown_below(run.node, sources.growth, x, &mut grown);
+            let growth = sources.growth(*run);
+            sources.tree(*run).least_grown_below(run.node, growth, x, &mut grown);
         }
         Some(AtPlace { grown, mean: seen.mean() })
     }
@@ -211,13 +224,14 @@ impl Cells {
         let mut grown = f64::INFINITY;
         for index in parent.ends[1]..parent.ends[2] {
             let run = self.runs[index as usize];
-            sources.tree(run).least_grown_below(run.node, sources.growth, middle, &mut grown);
+            let growth = sources.growth(run);
+            sources.tree(run).least_grown_below(run.node, growth, middle, &mut grown);
             stack.push(run);
         }
         while let Some(run) = stack.pop() {
             let tree = sources.tree(run);
             let node = &tree.nodes()[run.node as usize];
-            let bound = node.least + sources.growth * node.distance(middle);
+            let bound = node.least + sources.growth(run) * node.distance(middle);
             if bound > (grown + slack) * HAIR {
                 continue;
             }
@@ -268,6 +282,7 @@ mod tests {
             frozen: EdgeTree::of_items(lines.collect()),
             places: EdgeTree::of_items(places.to_vec()),
             growth: 0.5,
+            growth_from_edges: 0.3,
         };
         (outline, sources)
     }

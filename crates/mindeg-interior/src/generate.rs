@@ -111,7 +111,8 @@ pub fn generate(
         let mut way = options.clone();
         way.wanted.growth = Some(options.wanted.growth() * seed.growth);
         way.wanted.prefer = Some(*prefer);
-        let (breaklines, field) = size_field(outline, &way)?;
+        let is_gentle = options.wanted.growth.is_none();
+        let (breaklines, field) = size_field(outline, &way, is_gentle)?;
         let stars = Stars::new(outline, &breaklines);
         let goals = goals(outline, &breaklines, &stars, &way);
         let about = about_points(outline, &field);
@@ -212,18 +213,23 @@ fn about_points(outline: &PlanarBoundary, field: &SizeField) -> f64 {
     sum * 2.0 / SQRT_3
 }
 
-/// The size field, with inner points and lines taken in.
+/// The size field, with inner points and lines taken in; a gentle one, unless sizes far from the boundary are asked for.
 fn size_field(
     outline: &PlanarBoundary,
     options: &Options,
+    is_gentle: bool,
 ) -> Result<(Breaklines, SizeField), InteriorError> {
     let segments = outline.segments().iter().enumerate();
     let stays = segments.filter(|(segment, _)| !options.is_divisible(*segment));
     let frozen: Vec<[u32; 2]> = stays.map(|(_, ends)| *ends).collect();
     let (growth, places) = (options.wanted.growth(), options.wanted.sizes_at().collect::<Vec<_>>());
     let asked = Arc::new(Asked::new(outline, options));
+    // Sizes that are asked for are reached as fast as before.
+    let is_gentle = is_gentle && !asked.has_base();
     let field = |crowded: &[SizeAt]| {
-        SizeField::new(outline, &frozen, growth, &places, crowded).asking(Arc::clone(&asked))
+        let field = SizeField::new(outline, &frozen, growth, &places, crowded);
+        let field = if is_gentle { field.gentle(outline) } else { field };
+        field.asking(Arc::clone(&asked))
     };
     let plain = field(&[]);
     for (index, size) in options.wanted.sizes.iter().enumerate() {

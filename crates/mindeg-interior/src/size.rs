@@ -16,7 +16,7 @@ use std::sync::Arc;
 ///   angle under which it is seen (Floater's mean value coordinates; the boundary
 ///   counts as transparent, so weights stay positive where a domain is not convex), or what was [asked](Asked) for
 ///   instead or is less, as far as the edges that stay allow;
-/// - length + growth * distance of any of these edges;
+/// - length + growth * distance of any of these edges; a [gentle](SizeField::gentle) field grows more slowly but beside longer edges;
 /// - size + growth * distance of any place with a size of its own, or where fixed points are crowded.
 ///
 /// One evaluation takes O(log n) for straight sides with equal or graded intervals. Where many edges turn, [cells](Cells)
@@ -27,6 +27,8 @@ pub(crate) struct SizeField {
     asked: Arc<Asked>,
     /// The factor on the mean of the boundary's lengths.
     coarser: f64,
+    /// Whether sizes grow more slowly from edges that stay than `growth`, but beside longer ones.
+    is_gentle: bool,
     /// What is known from the places seen so far; none if few edges turn.
     cells: Option<RefCell<Cells>>,
 }
@@ -40,6 +42,13 @@ const COARSER: f64 = 1.05;
 /// longest was 0.90 of its size.
 const FINER: f64 = 0.65;
 const REACH: f64 = 1.5;
+
+/// A gentle field grows by this share of the growth where no longer edge is near. Small triangles beside large ones have poor shapes: as
+/// measured on 90 outlines, mean quality is 0.006 higher, with 20% more triangles and no less angle.
+const GENTLE: f64 = 0.3;
+/// A gentle field may grow by the whole growth up to this share of what a longer edge asks for: corners between short and long
+/// edges need that, or they lose angle.
+const LONGER: f64 = 0.7;
 
 /// With more runs than this that turn, there are cells.
 const MANY_TURNS: usize = 500;
@@ -71,10 +80,18 @@ impl SizeField {
         let nodes = boundary.nodes().iter().chain(frozen.nodes());
         let turns = nodes.filter(|node| !node.is_straight).count();
         let places = EdgeTree::of_items(items.collect());
-        let sources = Sources { boundary, frozen, places, growth };
+        let sources = Sources { boundary, frozen, places, growth, growth_from_edges: growth };
         let cells =
             (turns > MANY_TURNS).then(|| RefCell::new(Cells::new(outline.bounds(), &sources)));
-        Self { sources, asked: Arc::default(), coarser: COARSER, cells }
+        Self { sources, asked: Arc::default(), coarser: COARSER, is_gentle: false, cells }
+    }
+
+    /// A field that grows more slowly, but beside longer edges.
+    pub(crate) fn gentle(mut self, outline: &PlanarBoundary) -> Self {
+        self.is_gentle = true;
+        self.sources.growth_from_edges = GENTLE * self.sources.growth;
+        self.cells = self.cells.map(|_| RefCell::new(Cells::new(outline.bounds(), &self.sources)));
+        self
     }
 
     /// With other sizes that were asked for than those at places.
@@ -102,17 +119,25 @@ impl SizeField {
         let known = self.cells.as_ref().and_then(|cells| cells.borrow_mut().at(&self.sources, x));
         let mut least = match (base, known) {
             // Sizes shrink no faster than they grow.
-            (Some(base), _) => base.max(self.shrunk(x)),
+            (Some(base), _) => base.max(self.shrunk(x, 0.0)),
             (None, Some(AtPlace { mean, .. })) => self.coarsened(mean),
             (None, None) => self.coarsened(self.sources.mean(x)),
         };
         if most < least {
-            least = least.min(most.max(self.shrunk(x)));
+            least = least.min(most.max(self.shrunk(x, 0.0)));
         }
-        match known {
+        let grown = match known {
             Some(AtPlace { grown, .. }) => least.min(grown),
             None => self.sources.least_grown(x, least),
+        };
+        if !self.is_gentle || grown >= least {
+            return grown;
         }
+        let longer = LONGER * self.shrunk(x, grown / LONGER);
+        if longer <= grown {
+            return grown;
+        }
+        self.sources.least_grown_by(self.sources.growth, x, longer.min(least)).max(grown)
     }
 
     /// The size that a mean of lengths asks for: none on the boundary itself, where the growth bound decides.
@@ -120,9 +145,9 @@ impl SizeField {
         mean.map_or(f64::INFINITY, |mean| self.coarser * mean)
     }
 
-    /// The greatest of length - growth * distance over the edges that stay, at least 0.
-    fn shrunk(&self, x: DVec2) -> f64 {
-        let mut greatest = 0.0_f64;
+    /// The greatest of length - growth * distance over the edges that stay, at least `least`.
+    fn shrunk(&self, x: DVec2, least: f64) -> f64 {
+        let mut greatest = least;
         for (tree, root) in self.sources.edges() {
             let mut stack = vec![root];
             while let Some(at) = stack.pop() {
@@ -211,6 +236,35 @@ mod tests {
             let (found, expected) = (field.at(x), exact(&outline, 0.5, x));
             assert!((found / expected - 1.0).abs() < 0.06, "{x}: {found} {expected}");
         }
+    }
+
+    #[test]
+    fn a_gentle_field_grows_slowly_but_beside_longer_edges() {
+        // Edges of 0.25 at the bottom, of 8 at the right, and of 2.
+        let outline = samples::rectangle(16.0, 16.0, [64, 2, 8, 8]);
+        let field = |is_gentle: bool| {
+            let field = SizeField::new(&outline, &[], 0.5, &[], &[]);
+            if is_gentle { field.gentle(&outline) } else { field }
+        };
+        let (plain, gentle) = (field(false), field(true));
+        let slow =
+            |x: DVec2| (0.25 + 0.15 * x.y).min(2.0 + 0.15 * x.x).min(2.0 + 0.15 * (16.0 - x.y));
+        let mut beside = 0;
+        for i in 0..400 {
+            let x = DVec2::new(f64::from(i % 20) + 0.5, f64::from(i / 20) + 0.5) * 0.8;
+            let (fast, found) = (plain.at(x), gentle.at(x));
+            assert!(found <= fast * (1.0 + 1e-9), "{x}: {found} {fast}");
+            assert!(found >= fast.min(slow(x)) * (1.0 - 1e-9), "{x}: {found} {fast}");
+            // The edges at the right are 8 long: beside them sizes grow as fast as in the plain field.
+            let longer = 0.7 * (8.0 - 0.5 * (16.0 - x.x));
+            if x.x > 12.0 {
+                assert!((found - fast.min(longer).max(slow(x))).abs() < 1e-9, "{x}: {found}");
+                beside += 1;
+            }
+        }
+        let far = DVec2::new(3.0, 6.0);
+        assert!((gentle.at(far) - slow(far)).abs() < 1e-9 && plain.at(far) > 1.5);
+        assert!(beside > 30);
     }
 
     #[test]

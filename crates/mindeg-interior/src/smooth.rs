@@ -11,7 +11,8 @@ use mindeg_mesh::Cancelled;
 /// The exponent of distortion in what smoothing minimises. More weighs bad triangles more.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Power {
-    One,
+    /// The sum of qualities grows, each one over a distortion: bad triangles weigh less.
+    MinusOne,
     Two,
     Four,
 }
@@ -20,19 +21,22 @@ pub(crate) enum Power {
 impl Power {
     fn exponent(self) -> f64 {
         match self {
-            Self::One => 1.0,
+            Self::MinusOne => -1.0,
             Self::Two => 2.0,
             Self::Four => 4.0,
         }
     }
 
     fn of(self, x: f64) -> f64 {
-        x * x * self.of_two_less(x)
+        match self {
+            Self::MinusOne => -1.0 / x,
+            _ => x * x * self.of_two_less(x),
+        }
     }
 
     fn of_two_less(self, x: f64) -> f64 {
         match self {
-            Self::One => 1.0 / x,
+            Self::MinusOne => -1.0 / (x * x * x),
             Self::Two => 1.0,
             Self::Four => x * x,
         }
@@ -101,7 +105,7 @@ pub(crate) fn smooth<S: Manifold>(
     step(mesh, vertex, power, ring, |_| true)
 }
 
-/// The same for the sum of distortions, if no triangle's minimum angle falls below `kept`, in degrees.
+/// The same for the sum of qualities, if no triangle's minimum angle falls below `kept`, in degrees.
 pub(crate) fn round<S: Manifold>(
     mesh: &mut ArrayMesh<S>,
     vertex: u32,
@@ -121,7 +125,7 @@ pub(crate) fn round<S: Manifold>(
         let mut all = ring.edges.iter().zip(&wanted);
         all.all(|([b, c], wanted)| min_angle([place, *b, *c]) >= *wanted)
     };
-    let moved = step(mesh, vertex, Power::One, ring, |place| each(ring, place));
+    let moved = step(mesh, vertex, Power::MinusOne, ring, |place| each(ring, place));
     ring.wanted = wanted;
     moved
 }
@@ -152,7 +156,8 @@ fn step<S: Manifold>(
             (diagonal - mixed / d + square * s / (d * d)) * unit
         };
         let low = power.of_two_less(value);
-        let (first, second) = (p * low * value, p * (p - 1.0) * low);
+        // Where the power is concave, its tangent lies above it: what lowers the tangents lowers the sum.
+        let (first, second) = (p * low * value, (p * (p - 1.0) * low).max(0.0));
         before += low * value * value;
         slope += gradient * first;
         // The mixed terms: ds dd^T + dd ds^T.
@@ -349,7 +354,7 @@ mod tests {
 
     #[test]
     fn sweeps_end_where_the_distortion_is_least() {
-        for power in [Power::Two, Power::Four] {
+        for power in [Power::MinusOne, Power::Two, Power::Four] {
             let mut mesh = star(&UNEVEN, [1.0, 0.4]);
             let mut stage = Stage::new(Progress::NONE, "smoothing");
             Sweeper::new().run(&mut mesh, power, 50, &mut stage).unwrap();
