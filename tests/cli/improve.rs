@@ -67,7 +67,7 @@ fn a_bad_mesh_becomes_a_good_one() {
     assert_eq!(boundary(&old), boundary(&new));
     // In words.
     let again = mindeg(["improve", text(&before), "-o", text(&after)]);
-    for words in ["before:", "after:", "of the limit)", "8 edges inside were kept", "wrote "] {
+    for words in ["before:", "after:", "of the limit", "8 edges inside were kept", "wrote "] {
         assert!(again.errors.contains(words), "{words:?} is missing in: {}", again.errors);
     }
 }

@@ -7,6 +7,7 @@ use mindeg::interior::{
     CertifiedVertex, CornerTradeOff, InteriorMesh, InteriorReport, LocalShares, Violation,
 };
 use serde::Serialize;
+use std::cmp::Ordering;
 use std::ops::RangeInclusive;
 
 /// The minimum angle that a search without a target aims at, in degrees.
@@ -224,9 +225,11 @@ pub fn angles_and_degrees(report: &InteriorReport) -> String {
     let boundary = format!("{} at the boundary", degrees(&report.boundary_degree));
     let degrees = [inside, has_boundary.then_some(boundary)];
     let degrees = degrees.into_iter().flatten().collect::<Vec<_>>().join(", ");
-    let at_degrees = match report.angle_limit > report.limits.angle() {
-        true => format!(", {} at the degrees of this mesh", steady_angle(report.angle_limit)),
-        false => String::new(),
+    let (limit, of_boundary) = (report.angle_limit, report.limits.angle());
+    let at_degrees = match limit.total_cmp(&of_boundary) {
+        Ordering::Greater => format!(", {} at the degrees of this mesh", steady_angle(limit)),
+        Ordering::Less => format!(", {} by edges near each other", steady_angle(limit)),
+        Ordering::Equal => String::new(),
     };
     format!(
         "angles {} ({} of the limit{at_degrees}) to {}; degrees {degrees}",

@@ -1,6 +1,7 @@
 //! The aims for each vertex and for the mesh as a whole.
 
 use crate::breaklines::Breaklines;
+use crate::edge_limits::edge_limits;
 use crate::limits::tent_limits;
 use crate::options::Options;
 use crate::star::{Sector, Stars, allotted};
@@ -26,7 +27,7 @@ pub(crate) struct Goal {
     pub(crate) fan: Option<u32>,
     /// The star limit with so many, in degrees.
     pub(crate) limit: f64,
-    /// The limit of its edges' tents, in degrees, or [`MOST`].
+    /// The limit of its edges, in degrees, by their tents and by the fans at both ends together, or [`MOST`]; whatever the degrees.
     pub(crate) tents: f64,
     /// The sine of the angle that a search at one place aims at.
     pub(crate) sine: f64,
@@ -57,8 +58,14 @@ pub(crate) fn goals(
     stars: &Stars,
     options: &Options,
 ) -> Vec<Goal> {
-    let tents = tent_limits(outline, lines, MOST);
+    let mut tents = tent_limits(outline, lines, MOST);
     let (low, high) = options.wanted.interior_degree().into_inner();
+    let known = |vertex: u32| {
+        let fans = stars.at(vertex).iter().map(|sector| sector.limit(None));
+        fans.fold(tents[vertex as usize], f64::min)
+    };
+    let of_edges = edge_limits(stars, tents.len() as u32, known);
+    tents.iter_mut().zip(of_edges).for_each(|(tent, edge)| *tent = tent.min(edge));
     let goal = |vertex| {
         let is_boundary = vertex < outline.vertex_count();
         let (least, wanted, ideal) = match is_boundary {

@@ -68,6 +68,7 @@ mod cells;
 mod chains;
 mod compass;
 mod disc;
+mod edge_limits;
 mod edge_tree;
 mod energy;
 mod failed;

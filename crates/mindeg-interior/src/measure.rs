@@ -1,6 +1,6 @@
 //! Quality measures of a mesh, from its points and triangles alone.
 
-use crate::goal::Goal;
+use crate::goal::{Goal, MOST};
 use crate::limits::Limits;
 use crate::report::{
     CertifiedVertex, CornerTradeOff, ENOUGH, InteriorReport, LocalShares, Violation,
@@ -67,6 +67,7 @@ pub(crate) fn measure(
     let mut interior_points = 0;
     let mut corner_list = Vec::new();
     let mut local = vec![ENOUGH; points.len()];
+    let mut least_of_edges = f64::INFINITY;
     for (vertex, count) in (0..).zip(counts).filter(|(_, count)| *count > 0) {
         let (at, own) = (points[vertex as usize], index(vertex));
         let (mut is_boundary, mut wanted) = (false, interior.clone());
@@ -78,6 +79,9 @@ pub(crate) fn measure(
                 false => goal.limit,
             };
             local[vertex as usize] = ENOUGH.min(reached).min(goal.tents);
+            if goal.tents < MOST {
+                least_of_edges = least_of_edges.min(goal.tents);
+            }
             let more = u32::from(is_boundary);
             let angle = |triangles| stars.limit(own, triangles).min(goal.tents);
             corner_list.extend(trade_off(count, goal.triangles, angle).map(|angles| {
@@ -111,6 +115,7 @@ pub(crate) fn measure(
     at_least = at_least.max(counted(boundary_vertices, used, &halves, triangles.len()));
     let breaks_limit = violations.iter().any(|violation| violation.is_boundary);
     let angle_limit = if breaks_limit { limits_at(&violations).angle() } else { limits.angle() };
+    let angle_limit = angle_limit.min(least_of_edges);
     let (mut local, shares) = local_shares(triangles, &angles, &local);
     local.at = points.get(local.vertex as usize).copied().unwrap_or_default();
     local.is_tent = goal(local.vertex).is_some_and(|goal| goal.tents <= local.limit);
@@ -119,6 +124,7 @@ pub(crate) fn measure(
         min_angle: least.0,
         min_angle_vertex: triangles.get(least.1).map_or(0, |t| sharpest(t, corners(t))),
         angle_limit,
+        least_of_edges,
         share_of_limit: (least.0 / angle_limit).min(1.0),
         local,
         corners: corner_list,

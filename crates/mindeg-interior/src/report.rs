@@ -36,7 +36,7 @@ pub struct LocalShares {
     pub at: DVec2,
     /// The limit there, in degrees.
     pub limit: f64,
-    /// True if edges that face each other decide it, not the fan at the vertex.
+    /// True if edges near it decide it: two that face each other, or an edge and the fans at both of its ends; not the fan at the vertex.
     pub is_tent: bool,
     /// The 1st percentile of the shares.
     pub percentile: f64,
@@ -92,8 +92,10 @@ pub struct InteriorReport {
     /// The vertex with the minimum angle.
     pub min_angle_vertex: u32,
     /// The proven limit of the minimum angle for boundary vertices with their degree limits, or with the
-    /// degree that they have where that is more.
+    /// degree that they have where that is more; less than [`limits`](Self::limits) tell where the fans at both ends of an edge allow less.
     pub angle_limit: f64,
+    /// The least limit of edges that stay, whatever the degrees, in degrees; infinite where it is above all that counts.
+    pub(crate) least_of_edges: f64,
     /// The minimum angle over [`angle_limit`](Self::angle_limit), never above 1 but for rounding.
     pub share_of_limit: f64,
     /// The angles beside the limits of their places.
@@ -166,6 +168,7 @@ impl InteriorReport {
         if other.angle_limit < self.angle_limit {
             (self.angle_limit, self.limits) = (other.angle_limit, other.limits);
         }
+        self.least_of_edges = self.least_of_edges.min(other.least_of_edges);
         let below = self.local.below + other.local.below;
         if other.local.worst < self.local.worst {
             self.local = other.local;

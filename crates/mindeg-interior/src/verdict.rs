@@ -56,7 +56,7 @@ pub(crate) fn check_target(limits: &Limits, options: &Options) -> Result<(), Int
 
 /// The share reached of what the limit, the target, and sense allow.
 fn share(report: &InteriorReport, options: &Options) -> f64 {
-    let (limit, _) = limit(&report.limits, options);
+    let limit = limit(&report.limits, options).0.min(report.least_of_edges);
     (report.min_angle / limit.min(enough(options))).min(1.0)
 }
 
