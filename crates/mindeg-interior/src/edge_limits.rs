@@ -8,7 +8,6 @@
 //! The maximum is bounded from above by branching on the triangle's angles at the two ends and bounding what each box of them
 //! allows, so the limit is proven up to rounding.
 
-use crate::goal::MOST;
 use crate::star::{Sector, Stars};
 use std::f64::consts::PI;
 
@@ -32,17 +31,22 @@ struct Place {
 #[derive(Clone, Copy)]
 struct Angles([[f64; 2]; 2]);
 
-/// The edge limit of each vertex of an outline and of lines in degrees: the least of its edges, [`MOST`] where it is more.
+/// The edge limit of each vertex of an outline and of lines in degrees: the least of its edges, `most` where it is more.
 /// `limits`: what is known of each vertex already.
-pub(crate) fn edge_limits(stars: &Stars, vertices: u32, limits: impl Fn(u32) -> f64) -> Vec<f64> {
-    let mut found = vec![MOST; vertices as usize];
+pub(crate) fn edge_limits(
+    stars: &Stars,
+    vertices: u32,
+    most: f64,
+    limits: impl Fn(u32) -> f64,
+) -> Vec<f64> {
+    let mut found = vec![most; vertices as usize];
     for sector in (0..vertices).flat_map(|vertex| stars.at(vertex)) {
         // The edge to the first end has the sector on its left, as it has the one at that end whose last edge it is.
         let [other, last] = sector.ends;
         let at_other = stars.at(other).iter().find(|own| own.ends[1] == sector.vertex);
         // Without a second vertex the domain is a triangle.
         let Some(at_other) = at_other.filter(|own| own.ends[0] != last) else { continue };
-        let known = limits(sector.vertex).min(limits(other)).min(MOST);
+        let known = limits(sector.vertex).min(limits(other)).min(most);
         let limit = Place::new(sector, at_other).limit(known * (PI / 180.0)) * (180.0 / PI);
         // A vertex with a greater limit of its own is not excused by its neighbour's.
         if limit < TIGHTER * known {
@@ -177,6 +181,7 @@ fn fan_bound([narrow, wide]: [f64; 2], [low, high]: [f64; 2], most: f64) -> f64 
 mod tests {
     use super::*;
     use crate::breaklines::Breaklines;
+    use crate::goal::MOST;
     use crate::limits::fan_limit;
     use glam::DVec2;
     use mindeg_mesh::planar::PlanarBoundary;
@@ -185,7 +190,7 @@ mod tests {
         let ring: Vec<DVec2> = ring.iter().copied().map(DVec2::from).collect();
         let outline = PlanarBoundary::new(&[ring]).unwrap();
         let stars = Stars::new(&outline, &Breaklines::default());
-        edge_limits(&stars, outline.vertex_count(), |v| stars.limit(v, None))
+        edge_limits(&stars, outline.vertex_count(), MOST, |v| stars.limit(v, None))
     }
 
     /// An inlet: its end is 1 wide, its sides are 3 and 5 long.

@@ -64,7 +64,7 @@ pub(crate) fn goals(
         let fans = stars.at(vertex).iter().map(|sector| sector.limit(None));
         fans.fold(tents[vertex as usize], f64::min)
     };
-    let of_edges = edge_limits(stars, tents.len() as u32, known);
+    let of_edges = edge_limits(stars, tents.len() as u32, MOST, known);
     tents.iter_mut().zip(of_edges).for_each(|(tent, edge)| *tent = tent.min(edge));
     let goal = |vertex| {
         let is_boundary = vertex < outline.vertex_count();
