@@ -73,6 +73,7 @@
 #[cfg(test)]
 extern crate self as mindeg_exact;
 
+mod annealing;
 mod annulus;
 mod answer;
 mod apex;
@@ -109,6 +110,7 @@ mod window;
 mod windows;
 mod zigzag;
 
+pub use annealing::anneal;
 pub use answer::{AngleOptima, best_angle, least_max_degree, trade_off, trade_off_until};
 pub use apex::ApexBound;
 pub use breakout::Breakout;

@@ -71,6 +71,16 @@ fn even_models_reach_the_bound_of_the_sum() {
     assert_eq!(solve(&ball, Side::count(1)), [6, 6], "truncated icosahedron");
 }
 
+/// Neither descent nor a search by clauses finds these.
+#[test]
+fn a_truncated_icosahedron_with_three_intervals_an_edge_has_degree_6() {
+    let model = Model::from_json(include_str!("solids/truncated-icosahedron.json")).unwrap();
+    assert_eq!(model.positions().len(), 240);
+    let meshed = mesh_model(&model, Goal::LeastDegree, 1.0, Progress::NONE).unwrap();
+    assert_eq!(check_closed(&model, &meshed), 2);
+    assert_eq!([meshed.max_degree, meshed.lower_bound], [6, 6]);
+}
+
 #[test]
 fn uneven_models_reach_the_bound_of_weights() {
     // One edge of 20 intervals: the four other corners of its two faces get all their chords.

@@ -29,9 +29,9 @@ pub(crate) fn solve(
             let joint = descent.joint_mut();
             if bound.max_degree() <= target
                 && joint.max_degree() > target
-                && !symmetry::reach(joint, target, effort / 2.0, progress)?
+                && !symmetry::reach(joint, target, effort, progress)?
             {
-                descent.reach(target, steps)?;
+                descent.reach(target, steps / 4)?;
             }
         }
     } else {

@@ -1,14 +1,15 @@
-//! Meshes of models that look the same from several sides: the faces that a symmetry moves onto others follow these.
+//! Meshes of models by annealing, at first of those that look the same from several sides: there the faces that a symmetry
+//! moves onto others follow these.
 //!
 //! A symmetry moves every face onto a congruent one, and neighbours onto neighbours. Take a group of them in which all but
 //! the identity move every face. Then one face of each orbit decides about all, and a vertex has, for each symmetry that
-//! keeps it, the chords of its whole orbit on these faces. So a search over few faces, with one row for an orbit
-//! of vertices, finds the meshes with these symmetries, where one over all faces would not end.
+//! keeps it, the chords of its whole orbit on these faces. So annealing over few faces, with one limit for an orbit
+//! of vertices, finds the meshes with these symmetries sooner than one over all faces, which comes last.
 //!
-//! Limits: closed models whose faces have no holes, and groups of one symmetry or of two that are their own inverses.
+//! Limits: symmetries of closed models whose faces have no holes, and groups of one symmetry or of two that are their own inverses.
 
 use glam::DVec2;
-use mindeg_exact::{COVER_STEPS, Cover, Decision, Problem};
+use mindeg_exact::{Problem, anneal};
 use mindeg_mesh::{Cancelled, Progress};
 use std::collections::BTreeMap;
 
@@ -16,6 +17,9 @@ use super::joint::Joint;
 
 /// The most groups that are tried, from the largest down.
 const MOST_GROUPS: usize = 2;
+
+/// The flips that are tried by default: some seconds on one core.
+const TRIES: u64 = 1 << 28;
 
 /// The most places of faces that are compared.
 const MOST_COMPARED: usize = 20_000_000;
@@ -26,20 +30,25 @@ const TOLERANCE: f64 = 1e-9;
 /// For each face the face that it is moved onto, and the place of its first vertex there.
 type Symmetry = Vec<(usize, usize)>;
 
-/// Looks for a mesh of no larger degree that keeps some symmetries; whether it did.
+/// Looks for a mesh of no larger degree by annealing, at first for one that keeps some symmetries; whether it found one.
 pub(super) fn reach(
     joint: &mut Joint,
     degree: u32,
     effort: f64,
     progress: Progress<'_>,
 ) -> Result<bool, Cancelled> {
-    let mut steps = (COVER_STEPS as f64 * effort.max(0.0)) as u64;
-    for group in groups(joint, &symmetries(joint)) {
-        if let Some(found) = search(joint, &group, degree, steps, progress)? {
+    let mut left = (TRIES as f64 * effort.max(0.0)) as u64;
+    let identity = (0..joint.triangles.len()).map(|face| (face, 0)).collect();
+    let symmetric = groups(joint, &symmetries(joint));
+    let few = symmetric.len();
+    for (index, group) in symmetric.into_iter().chain([vec![identity]]).enumerate() {
+        // The more symmetries, the sooner one is found.
+        let tries = if index < few { left / 2 } else { left };
+        left -= tries;
+        if let Some(found) = search(joint, &group, degree, tries, progress)? {
             found.into_iter().enumerate().for_each(|(face, own)| joint.replace(face, own));
             return Ok(true);
         }
-        steps /= 2;
     }
     Ok(false)
 }
@@ -191,12 +200,12 @@ fn groups(joint: &Joint, symmetries: &[Symmetry]) -> Vec<Vec<Symmetry>> {
     groups
 }
 
-/// The triangles of every face of a mesh with these symmetries in which no vertex has more edges than `degree`.
+/// The triangles of every face of a mesh with these symmetries and degrees up to `degree`, if annealing finds one.
 fn search(
     joint: &Joint,
     group: &[Symmetry],
     degree: u32,
-    steps: u64,
+    tries: u64,
     progress: Progress<'_>,
 ) -> Result<Option<Vec<Vec<[u32; 3]>>>, Cancelled> {
     let vertices = |face: usize| &joint.face(face).vertices;
@@ -232,12 +241,8 @@ fn search(
     let of_orbits = |&face: &usize| vertices(face).iter().map(|&v| least[v as usize]).collect();
     let orbits: Vec<Vec<u32>> = firsts.iter().map(of_orbits).collect();
     let posed: Vec<_> = problems.iter().zip(&orbits).map(|(it, own)| (it, &own[..])).collect();
-    let Some(cover) = Cover::of_faces(&posed, progress)? else { return Ok(None) };
     let tangents: Vec<f64> = firsts.iter().map(|&face| joint.thresholds[face]).collect();
-    let start: Vec<_> = firsts.iter().map(|&face| joint.triangles[face].clone()).collect();
-    let Decision::Mesh(own) = cover.decide(&most, &tangents, &start, steps, progress)? else {
-        return Ok(None);
-    };
+    let Some(own) = anneal(&posed, &most, &tangents, tries, progress)? else { return Ok(None) };
     let mut found = vec![Vec::new(); faces.len()];
     for (&face, triangles) in firsts.iter().zip(&own) {
         for symmetry in group {
