@@ -137,6 +137,14 @@ fn one_step_gives_the_mesh_of_two_and_tells_the_changes() {
     assert!(conditioned["dropped"].as_u64().expect("a count") > 50);
     assert_eq!(conditioned["is_reached"], true);
     assert_eq!(told["limit"]["angle_limit"], conditioned["angle_limit"]);
+
+    // Without a mesh there is no drawing of its changes.
+    let unmet = path("unmet.geojson");
+    let demand =
+        ["--condition=24", "--size", "4km", "--changes", &unmet, "--interior-degree", "6..6"];
+    let run = mindeg([&["mesh"], &project[..], &["--interior", "-o", &two], &demand].concat());
+    assert_eq!(run.code, Some(3), "{run:?}");
+    assert!(!std::fs::exists(&unmet).expect("an answer"), "changes of no mesh");
 }
 
 #[test]

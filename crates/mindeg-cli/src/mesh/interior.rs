@@ -158,7 +158,7 @@ fn with_depths(
     (mesh.with_depths(values), Some(words))
 }
 
-/// The domains with their boundaries conditioned, if that is wanted, and the changes, which are drawn where a file is given.
+/// The domains with their boundaries conditioned, if that is wanted, and the changes.
 fn conditioned<'d>(
     arguments: &MeshArguments,
     domains: &'d [Domain],
@@ -169,10 +169,19 @@ fn conditioned<'d>(
     let (new, conditioned) = interior::condition_all(domains, &demands, &change.keep)
         .map_err(|(_, error)| Failure::input(error))?;
     let answer = ConditionAnswer::of(domains, &new, &conditioned);
-    if let Some(path) = &change.changes {
-        write_texts(&[(answer.drawn(domains, &new).to_string(), path)])?;
-    }
     Ok((Cow::Owned(new), Some(answer)))
+}
+
+/// Draws the changes to a file, if that is wanted: once there is a mesh.
+fn draw_changes(
+    arguments: &MeshArguments,
+    changes: Option<&ConditionAnswer>,
+    [old, new]: [&[Domain]; 2],
+) -> Result<(), Failure> {
+    match (changes, &arguments.change.changes) {
+        (Some(changes), Some(path)) => write_texts(&[(changes.drawn(old, new).to_string(), path)]),
+        _ => Ok(()),
+    }
 }
 
 /// The text on the changes of a boundary, without a line break at its end.
@@ -187,7 +196,8 @@ pub(super) fn run(
     wanted: &Interior,
     mut making: Making,
 ) -> Result<(), Failure> {
-    let (domains, conditioned) = conditioned(arguments, std::slice::from_ref(domain))?;
+    let old = std::slice::from_ref(domain);
+    let (domains, conditioned) = conditioned(arguments, old)?;
     let domain = &domains[0];
     let depths = arguments.depth.read(domain.projection())?;
     let wanted = &by_depth(arguments, depths.as_ref(), wanted, &domains)?;
@@ -203,6 +213,7 @@ pub(super) fn run(
     let end = met_or_written_anyway(&unmet, arguments.interior.wanted.write_anyway)?;
 
     let made = making.write(mesh)?;
+    draw_changes(arguments, conditioned.as_ref(), [old, &domains])?;
     let summary = Summary {
         name: domain.name(),
         intervals: domain.rings().sides().collect(),
@@ -234,9 +245,9 @@ pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Res
     arguments.refuse_goals_with_interior("--interior")?;
     let surface = &arguments.surface;
     let mut making = Making::new(surface, &surface.output, arguments.quiet, arguments.json)?;
-    let mut domains = Parts::of(polygons, SEPARATE)?.domains;
-    arguments.kinds.tell(&mut domains)?;
-    let (domains, conditioned) = conditioned(arguments, &domains)?;
+    let mut old = Parts::of(polygons, SEPARATE)?.domains;
+    arguments.kinds.tell(&mut old)?;
+    let (domains, conditioned) = conditioned(arguments, &old)?;
     let projection = domains.first().and_then(Domain::projection).copied();
     making.unproject(projection.as_ref());
     let depths = arguments.depth.read(projection.as_ref())?;
@@ -257,6 +268,7 @@ pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Res
     let end = met_or_written_anyway(&unmet, arguments.interior.wanted.write_anyway)?;
 
     let made = making.write(mesh)?;
+    draw_changes(arguments, conditioned.as_ref(), [&old, &domains])?;
     let lifting = Lifting { limit: limit.clone(), steps: Vec::new() };
     let regions = region_count(domains.iter());
     let summary = Summary {
