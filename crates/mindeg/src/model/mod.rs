@@ -8,6 +8,7 @@
 //! Same bytes on any number of threads: faces that share a corner are never solved together
 //! (`colors.rs`), and random numbers depend on the round and the face alone.
 
+mod annealed;
 pub(crate) mod bound;
 mod colors;
 mod descent;
@@ -19,7 +20,6 @@ pub(crate) mod joint;
 mod polish;
 mod search;
 pub(crate) mod solve;
-mod symmetry;
 
 pub use bound::JointBound;
 #[cfg(feature = "interior")]

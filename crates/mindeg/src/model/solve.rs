@@ -5,7 +5,7 @@ use mindeg_mesh::{Cancelled, Progress};
 use super::bound::{self, JointBound};
 use super::descent::{Descent, LEVEL_STEPS, STEPS_PER_VERTEX};
 use super::joint::Joint;
-use super::{polish, search, symmetry};
+use super::{annealed, polish, search};
 
 /// Brings the joint degree down, as far as the bound or `limit`, and then improves angles. `effort` is how long to look
 /// for each degree.
@@ -29,7 +29,7 @@ pub(crate) fn solve(
             let joint = descent.joint_mut();
             if bound.max_degree() <= target
                 && joint.max_degree() > target
-                && !symmetry::reach(joint, target, effort, progress)?
+                && !annealed::reach(joint, target, effort, progress)?
             {
                 descent.reach(target, steps / 4)?;
             }
