@@ -98,6 +98,7 @@ pub(crate) fn bridge_loops<'py>(
     signature = (points, triangles=None, *, interior=false, through=None, max_degree=None, extra_area=EXTRA_AREA, max_loop=500),
     text_signature = "(points, triangles=None, *, interior=False, through=None, max_degree=None, extra_area=0.05, max_loop=500)"
 )]
+#[expect(clippy::too_many_arguments, reason = "they are keywords in Python")]
 pub(crate) fn fill(
     py: Python<'_>,
     points: &Bound<'_, PyAny>,

@@ -11,7 +11,7 @@ const EXAMPLES: &str = "\
 Examples:
   mindeg fill part.obj -o closed.obj
   mindeg fill part.obj -o closed.glb --max-loop 100 --max-degree 8
-  mindeg fill scan.obj -o closed.obj --interior
+  mindeg fill part.obj -o closed.obj --interior
   mindeg fill part.obj -o cup.obj --loop 0,0,0";
 
 /// Close the holes of a mesh: each boundary loop by the triangulation of least area under a limit
