@@ -211,6 +211,17 @@ mod tests {
     }
 
     #[test]
+    fn a_head_that_never_ends_is_given_up() {
+        let address = served(Times { stranger: SHORT, page: Duration::from_secs(600) });
+        let mut stream = TcpStream::connect(address).unwrap();
+        stream.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
+        stream.write_all(b"GET / HTTP/1.1\r\nHost:").unwrap();
+        let mut answer = String::new();
+        stream.read_to_string(&mut answer).unwrap();
+        assert!(answer.is_empty() || answer.starts_with("HTTP/1.1 408"), "{answer}");
+    }
+
+    #[test]
     fn a_reader_of_a_byte_at_a_time_is_closed() {
         let address = served(Times { stranger: SHORT, page: Duration::from_secs(600) });
         let mut slow = asked(address, "/");

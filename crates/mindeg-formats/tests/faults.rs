@@ -152,7 +152,7 @@ fn short_and_interrupted_writes_give_the_same_bytes() {
 #[test]
 fn whichever_write_fails_its_error_is_told() {
     // Large enough for sections of several blocks, and so several writes.
-    let (large, small) = (grid(150, 120), grid(4, 3));
+    let (large, small) = (grid(110, 90), grid(4, 3));
     for way in ways() {
         for (mesh, most) in [(&large, None), (&small, Some(40))] {
             let (_, calls) = write_to_faulty(mesh, way, None, most);
