@@ -11,10 +11,13 @@
 //!
 //! Limits: the filling may cross other triangles; [`Filled::crossings`] names where.
 
+#[cfg(feature = "interior")]
 mod fairing;
 mod inside;
 mod joint;
 mod posed;
+#[cfg(feature = "interior")]
+mod search;
 
 pub use self::inside::PointsInside;
 use self::inside::{Around, NoPoints};

@@ -1,27 +1,18 @@
-//! Fillings with points inside: meshed at the size of the rim, and as smooth as the mesh around allows.
-//!
-//! The filling of least area is where the search begins. It is meshed as a surface whose other faces, those around the
-//! rim, are kept edge by edge, so that the degrees of the rim count; its points then move to where the surface bends
-//! least, and both are done once more, as lengths changed.
+//! Fillings with points inside: a filling of least area with the faces around its rim goes to the search of `search.rs`, and what
+//! comes back is named and judged.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 use glam::DVec3;
-use mindeg_interior::{RemeshError, RemeshOptions, Remeshed, remesh};
 use mindeg_mesh::{Cancelled, Positions, Progress, TriMesh};
-use mindeg_surfaces::{FeatureRules, Given, Surface};
 
-use super::fairing::{Patch, faired};
+#[cfg(feature = "interior")]
+use super::search::searched;
 use crate::loops::{Loops, MeshLoop};
 
-/// How often the filling is meshed and faired.
-const ROUNDS: usize = 2;
 /// The edges that a vertex of the filling or of its rim should have.
 const DEGREES: [u32; 2] = [5, 7];
-/// Groups of triangles: those around the rim, and those of the filling.
-const AROUND: u32 = 0;
-const FILLING: u32 = 1;
 
 /// The points inside a filled loop, and the degrees that they and the rim have.
 #[derive(Clone, Debug, PartialEq)]
@@ -107,15 +98,8 @@ impl Around {
         };
         let around = named(&around);
         let is_rim: BTreeSet<u32> = rim.iter().map(local).collect();
-        let mut points: Vec<DVec3> = known.iter().map(|v| at(*v)).collect();
-        let mut patch = named(plain);
-        for _ in 0..ROUNDS {
-            let found = remeshed(&points, &around, &patch, size, progress)?;
-            (points, patch) = ordered(&points[..known.len()], &found)?;
-            let whole: Vec<[u32; 3]> = around.iter().chain(&patch).copied().collect();
-            let of = Patch { triangles: &whole, fixed: known.len(), rim: &is_rim };
-            points = faired(points, &of, progress)?;
-        }
+        let points: Vec<DVec3> = known.iter().map(|v| at(*v)).collect();
+        let (mut points, patch) = searched(points, &around, named(plain), &is_rim, size, progress)?;
         let new = |v: u32| v - known.len() as u32 + next as u32;
         let name = |v: u32| known.get(v as usize).copied().unwrap_or_else(|| new(v));
         let triangles = patch.iter().map(|t| t.map(name)).collect();
@@ -123,60 +107,19 @@ impl Around {
     }
 }
 
-/// The filling meshed anew, the faces around it as they are.
-fn remeshed(
-    points: &[DVec3],
-    around: &[[u32; 3]],
-    patch: &[[u32; 3]],
-    size: f64,
-    progress: Progress<'_>,
-) -> Result<Remeshed, NoPoints> {
-    let triangles: Vec<[u32; 3]> = around.iter().chain(patch).copied().collect();
-    let groups = [vec![AROUND; around.len()], vec![FILLING; patch.len()]].concat();
-    let edges: Vec<[u32; 2]> =
-        around.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]).collect();
-    let given = Given { groups: &groups, edges: &edges, corners: &[] };
-    let rules = FeatureRules { angle_deg: 180.0, ..FeatureRules::default() };
-    let surface = Surface::keeping(points, &triangles, &given, &rules)
-        .map_err(|error| NoPoints::Because(error.to_string()))?;
-    let options = RemeshOptions {
-        size: Some(size),
-        keep_boundary: true,
-        keep_features: true,
-        ..RemeshOptions::default()
-    };
-    let mut found = remesh(&surface, &options, progress).map_err(|error| match error {
-        RemeshError::Cancelled => NoPoints::Cancelled,
-        error => NoPoints::Because(error.to_string()),
-    })?;
-    let mut groups = found.patches.iter().map(|patch| surface.group(*patch));
-    found.triangles.retain(|_| groups.next() == Some(FILLING));
-    Ok(found)
-}
-
-/// The points and triangles of a filling, the points that stayed first and in their order.
-fn ordered(stayed: &[DVec3], found: &Remeshed) -> Result<(Vec<DVec3>, Vec<[u32; 3]>), NoPoints> {
-    // Adding zero turns -0 into 0.
-    let bits = |point: &DVec3| (*point + DVec3::ZERO).to_array().map(f64::to_bits);
-    let place: BTreeMap<[u64; 3], u32> = stayed.iter().map(bits).zip(0..).collect();
-    let mut points = stayed.to_vec();
-    let mut names = BTreeMap::new();
-    let mut triangles = Vec::with_capacity(found.triangles.len());
-    for triangle in &found.triangles {
-        triangles.push(triangle.map(|v| {
-            *names.entry(v).or_insert_with(|| {
-                let point = found.points[v as usize];
-                place.get(&bits(&point)).copied().unwrap_or_else(|| {
-                    points.push(point);
-                    points.len() as u32 - 1
-                })
-            })
-        }));
-    }
-    match triangles.is_empty() {
-        true => Err(NoPoints::Because("the filling fell apart".to_owned())),
-        false => Ok((points, triangles)),
-    }
+/// Without the feature there is no search.
+#[cfg(not(feature = "interior"))]
+fn searched(
+    _points: Vec<DVec3>,
+    _around: &[[u32; 3]],
+    _plain: Vec<[u32; 3]>,
+    _rim: &BTreeSet<u32>,
+    _size: f64,
+    _progress: Progress<'_>,
+) -> Result<(Vec<DVec3>, Vec<[u32; 3]>), NoPoints> {
+    Err(NoPoints::Because(
+        "this build has no points inside: it lacks the feature interior".to_owned(),
+    ))
 }
 
 impl PointsInside {
