@@ -15,13 +15,15 @@
 mod fairing;
 mod inside;
 mod joint;
+mod no_points;
 mod posed;
 #[cfg(feature = "interior")]
 mod search;
 
+use self::inside::Around;
 pub use self::inside::PointsInside;
-use self::inside::{Around, NoPoints};
 use self::joint::{Share, Shares};
+use self::no_points::NoPoints;
 use self::posed::posed;
 use crate::error::MeshError;
 use crate::loops::{Loops, MeshLoop};

@@ -5,8 +5,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 use glam::DVec3;
-use mindeg_mesh::{Cancelled, Positions, Progress, TriMesh};
+use mindeg_mesh::{Positions, Progress, TriMesh};
 
+use super::no_points::NoPoints;
 #[cfg(feature = "interior")]
 use super::search::searched;
 use crate::loops::{Loops, MeshLoop};
@@ -30,18 +31,6 @@ pub struct PointsInside {
 pub(super) struct Filling {
     pub(super) points: Vec<DVec3>,
     pub(super) triangles: Vec<[u32; 3]>,
-}
-
-/// Why a filling has no points inside.
-pub(super) enum NoPoints {
-    Cancelled,
-    Because(String),
-}
-
-impl From<Cancelled> for NoPoints {
-    fn from(_: Cancelled) -> Self {
-        Self::Cancelled
-    }
 }
 
 /// The triangles at the vertices of loops.

@@ -12,7 +12,7 @@ use mindeg_mesh::Progress;
 use mindeg_surfaces::{FeatureRules, Given, Surface};
 
 use super::fairing::{Patch, faired};
-use super::inside::NoPoints;
+use super::no_points::NoPoints;
 
 /// How often the filling is meshed and faired.
 const ROUNDS: usize = 2;
