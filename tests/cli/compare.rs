@@ -1,5 +1,5 @@
 use crate::mesh::{content, domains, text};
-use crate::run::mindeg;
+use crate::run::{mindeg, mindeg_reading};
 use mindeg_core::verify;
 use mindeg_formats::obj;
 use serde_json::Value;
@@ -78,6 +78,17 @@ fn many_domains_make_a_folder_with_an_index() {
         assert!(index.contains(&format!("href=\"{page}\"")), "{page}");
     }
     assert!(index.contains("width"), "the index says what is wrong with bad.json");
+}
+
+/// It was read twice, and the second time it was empty.
+#[test]
+fn standard_input_makes_a_folder_too() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = text(&folder.path().join("out")).to_owned() + "/";
+    let domain = br#"{"rectangle": {"width": 4, "height": 3}, "size": 1}"#;
+    let run = mindeg_reading(["compare", "-", "-o", &out], domain);
+    assert_eq!(run.code, Some(0), "{run:?}");
+    assert_eq!(content(Path::new(&out)), ["domain.html", "index.html"]);
 }
 
 #[test]

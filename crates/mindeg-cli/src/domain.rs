@@ -131,12 +131,7 @@ pub(crate) fn counted(arguments: &CountsArguments) -> Result<Counted, Failure> {
     Ok(Counted::Subject(subject))
 }
 
-/// The domain in a file; options override the file's settings of its sides.
-pub(crate) fn from_file(path: &Path, options: &DomainOptions) -> Result<Domain, Failure> {
-    in_file(path, options, Wanted::Domain, &Bar::new(true))?.only()
-}
-
-/// The domain in a file, or those of its polygons that do not all hang together.
+/// The domain in a file, or those of its polygons that do not all hang together; options override the file's settings of sides.
 pub(crate) fn parts(path: &Path, options: &DomainOptions) -> Result<Parts, Failure> {
     in_file(path, options, Wanted::Domain, &Bar::new(true))?.parts()
 }

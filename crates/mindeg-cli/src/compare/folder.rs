@@ -3,7 +3,7 @@
 use super::comparing::{check, compared};
 use super::saved_meshes;
 use crate::args::CompareArguments;
-use crate::domain::{UNNAMED, from_file, from_options, parts};
+use crate::domain::{UNNAMED, from_options, parts};
 use crate::failure::Failure;
 use crate::interrupt::SESSION;
 use crate::named_files::summed_up;
@@ -39,20 +39,20 @@ pub(super) fn run(
     let mut failures = Vec::new();
     let mut gated = Vec::new();
     let page_of = |job: &Job<'_>| (job.name.clone(), format!("{}.html", job.name));
-    for (i, job) in jobs.iter().enumerate() {
-        let name = &job.name;
-        let page = format!("{name}.html");
+    let pages: Vec<(String, String)> = jobs.iter().map(page_of).collect();
+    for (i, job) in jobs.into_iter().enumerate() {
+        let (name, page) = &pages[i];
         let links = PageLinks {
             index: Some("index.html".to_owned()),
-            previous: i.checked_sub(1).map(|before| page_of(&jobs[before])),
-            next: jobs.get(i + 1).map(page_of),
+            previous: i.checked_sub(1).map(|before| pages[before].clone()),
+            next: pages.get(i + 1).cloned(),
         };
         match job.run(arguments, options, folder, &links) {
             Ok(comparison) => {
                 if let Err(failure) = check(&arguments.demands.demands(), &comparison) {
                     gated.push(format!("{name}: {}", failure.message().unwrap_or_default()));
                 }
-                entries.push(IndexEntry::compared(name, &page, comparison.report()));
+                entries.push(IndexEntry::compared(name, page, comparison.report()));
                 if !arguments.quiet {
                     say(&format!("{name}: {}", comparison.report().verdict));
                 }
@@ -78,13 +78,12 @@ pub(super) fn run(
     if gated.is_empty() { Ok(()) } else { Err(Failure::Gate(gated.join("\n"))) }
 }
 
-/// A domain to be read when its turn comes, and the name of its page.
+/// A domain, or why there is none, which is told when its turn comes; and the name of its page.
 struct Job<'a> {
     name: String,
     /// `None` for a domain from options alone.
     file: Option<&'a Path>,
-    /// The part of a file with several.
-    part: Option<Domain>,
+    domain: Result<Domain, Failure>,
 }
 
 impl Job<'_> {
@@ -92,24 +91,16 @@ impl Job<'_> {
         folder.join(format!("{}.html", self.name))
     }
 
-    fn domain(&self, arguments: &CompareArguments) -> Result<Domain, Failure> {
-        match (&self.part, self.file) {
-            (Some(part), _) => Ok(part.clone()),
-            (None, Some(path)) => from_file(path, &arguments.options),
-            (None, None) => from_options(&arguments.options),
-        }
-    }
-
     /// Compares, and writes either all of the page and the meshes or nothing.
     fn run(
-        &self,
+        self,
         arguments: &CompareArguments,
         options: &CompareOptions,
         folder: &Path,
         links: &PageLinks,
     ) -> Result<Comparison, Failure> {
-        let domain = self.domain(arguments)?;
         let page = self.page(folder);
+        let domain = self.domain?;
         let mut outputs = Outputs::new(&SESSION);
         let out = outputs.open(&page)?;
         let comparison = compared(&domain, options, arguments.quiet)?;
@@ -128,7 +119,8 @@ impl Job<'_> {
 
 fn jobs(arguments: &CompareArguments) -> Result<Vec<Job<'_>>, Failure> {
     if arguments.files.is_empty() {
-        return Ok(vec![Job { name: UNNAMED.to_owned(), file: None, part: None }]);
+        let domain = from_options(&arguments.options);
+        return Ok(vec![Job { name: UNNAMED.to_owned(), file: None, domain }]);
     }
     let mut names = BTreeSet::from(["index".to_owned()]);
     let job = |path: &'_ PathBuf| {
@@ -145,16 +137,17 @@ fn jobs(arguments: &CompareArguments) -> Result<Vec<Job<'_>>, Failure> {
     let names: Vec<String> = arguments.files.iter().map(job).collect::<Result<_, _>>()?;
     let mut jobs = Vec::new();
     for (name, path) in names.into_iter().zip(&arguments.files) {
-        // What cannot be read is told when its turn comes.
-        let parts = parts(path, &arguments.options).map_or_else(|_| Vec::new(), |it| it.domains);
         let file = Some(path.as_path());
-        if parts.len() < 2 {
-            jobs.push(Job { name, file, part: None });
-            continue;
-        }
-        for (index, part) in (1..).zip(parts) {
-            let name = format!("{name}-{index}");
-            jobs.push(Job { name, file, part: Some(part) });
+        // Once, as standard input can be read but once.
+        match parts(path, &arguments.options).map(|it| it.domains) {
+            Ok(parts) => {
+                let is_one = parts.len() == 1;
+                jobs.extend((1..).zip(parts).map(|(index, part)| {
+                    let name = if is_one { name.clone() } else { format!("{name}-{index}") };
+                    Job { name, file, domain: Ok(part) }
+                }));
+            }
+            Err(failure) => jobs.push(Job { name, file, domain: Err(failure) }),
         }
     }
     Ok(jobs)
