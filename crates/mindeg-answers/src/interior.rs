@@ -10,8 +10,6 @@ use serde::Serialize;
 use std::cmp::Ordering;
 use std::ops::RangeInclusive;
 
-/// The minimum angle that a search without a target aims at, in degrees.
-const UNASKED: f64 = 35.0;
 /// Angles beyond are found on no ordinary boundary, in degrees.
 const MOST_SOUGHT: f64 = 45.0;
 /// The share of the limit that another search can be asked for.
@@ -244,10 +242,11 @@ pub fn angles_and_degrees(report: &InteriorReport) -> String {
 pub fn more_on_request(report: &InteriorReport, target: Option<f64>) -> Option<String> {
     let sought = libm::floor(ALL_BUT * report.angle_limit.min(MOST_SOUGHT));
     // Below, the search did not find what it aims at.
-    let is_open = target.is_none() && report.min_angle >= UNASKED;
+    let is_open = target.is_none() && report.min_angle >= LocalShares::MOST;
     (is_open && sought > report.min_angle + 1.0).then(|| {
         format!(
-            "hint: no more than {UNASKED}° is asked for; --target-angle {sought} looks for more"
+            "hint: no more than {}° is asked for; --target-angle {sought} looks for more",
+            LocalShares::MOST
         )
     })
 }

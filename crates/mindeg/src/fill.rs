@@ -300,10 +300,11 @@ fn fill_with(
         filled.push(found);
     }
     let mesh = mesh.with_vertices_added(&points)?.with_triangles_added(FILL, &triangles)?;
+    let mut is_open = BTreeSet::new();
     if options.interior {
         loops = Loops::of(&mesh);
+        is_open.extend(loops.list().iter().flat_map(|it| &it.vertices).copied());
     }
-    let is_open: BTreeSet<u32> = loops.list().iter().flat_map(|it| &it.vertices).copied().collect();
     for found in &mut filled {
         let own = found.triangles.start as usize..found.triangles.end as usize;
         let own = &mesh.triangles()[own];
