@@ -113,8 +113,12 @@ test("the page begins with what to do, and has every mesh once", async () => {
   assert.ok(shown[1].includes(`Exact, degree ${report.advice.patch.max_degree}`), shown[1]);
   const [headline, also] = await opened.locator(".headline").allTextContents();
   assert.ok(report.verdict.startsWith(`${headline} ${also}`) && headline.startsWith("For a solver, put points inside: "));
-  const box = await opened.locator(".command").first().boundingBox();
-  assert.ok(box.y < 500, `the command is ${box.y} pixels down`);
+  // What makes an advised mesh stands with it.
+  for (const [place, end] of [[0, "--interior -o mesh.obj"], [1, "--keep-angle 95% -o mesh.obj"]]) {
+    const commands = await opened.locator(".mesh").nth(place).locator(".command code").allTextContents();
+    assert.ok(commands.length === 1 && commands[0].endsWith(end), commands.join(" | "));
+  }
+  assert.equal(await opened.locator(".command").count(), 2);
   assert.deepEqual(await opened.locator(".words tbody th").allTextContents(), [
     "Maximum degree", "Minimum angle", "Median minimum angle", "Triangles below 5°", "Triangles below 15°"]);
   for (const picture of await drawn(opened)) assert.ok(picture.length > 5000);
@@ -132,6 +136,22 @@ test("the command is copied", async () => {
   await opened.locator(".copy").nth(1).click();
   assert.equal(await opened.evaluate(() => window.copied), commands[1]);
   await opened.context().close();
+});
+
+test("the mesh to take is in the first screen", async () => {
+  const folder = ["plate-with-holes", "boundary-layer-channel", "great-britain"].map(bundled);
+  assert.equal(mindeg("compare", ...folder, "-o", "first/").status, 0);
+  const names = ["hexagon", "first/plate-with-holes", "first/boundary-layer-channel", "first/great-britain"];
+  for (const name of names) {
+    for (const [width, height] of [[390, 844], [800, 900], [1400, 900]]) {
+      const opened = await open(`${name}.html`, { viewport: { width, height } });
+      const { top, bottom } = await opened.$eval(".stage", (stage) => stage.getBoundingClientRect().toJSON());
+      // A tall domain begins there.
+      const seen = Math.min(bottom, height) - top;
+      assert.ok(top > 0 && seen >= Math.min(bottom - top, 240), `${name}: from ${top} to ${bottom} of ${height} at ${width} pixels`);
+      await opened.context().close();
+    }
+  }
 });
 
 const SCREENS = [390, 800, 1400].flatMap((width) => ["light", "dark"].map((colorScheme) => ({ width, colorScheme })));

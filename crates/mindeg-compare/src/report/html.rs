@@ -98,6 +98,8 @@ pub(super) struct Figure<'a> {
     pub(super) defects: &'a [MethodDefect],
     pub(super) thinned: Option<String>,
     pub(super) has_triangles: bool,
+    /// Those that make it, if it is advised.
+    pub(super) commands: Vec<String>,
 }
 
 /// Writes a comparison as one self-contained HTML page.
@@ -154,8 +156,9 @@ pub fn write_linked_html(
     let data = serde_json::to_string(&picture::of_comparison(comparison))?;
     let mut all_figures = vec![tables::degrees(report), tables::shares(report)];
     all_figures.extend(tables::metrics(report));
-    let (main_figures, other_figures) = figures(comparison);
     let input = report.provenance.input.as_deref();
+    let input_words = input.unwrap_or("DOMAIN.json");
+    let (main_figures, other_figures) = figures(comparison, input_words);
     let page = Page {
         title: report.domain.name.as_deref().or(input).unwrap_or("Domain"),
         provenance: &report.provenance,
@@ -175,7 +178,7 @@ pub fn write_linked_html(
         ),
         verdict: verdict(report),
         choice: tables::choice(report),
-        commands: commands(report, input.unwrap_or("DOMAIN.json")),
+        commands: commands_without_mesh(report, input_words),
         is_in_space: false,
         is_map: report.domain.regions.is_some(),
         curve: comparison.trade_off().map(|curve| small_curve(report, curve)).transpose()?,
@@ -298,8 +301,16 @@ pub(super) fn vertex_words(regions: Option<u32>) -> &'static str {
     if regions.is_some() { "vertices" } else { "boundary vertices" }
 }
 
+/// The commands whose mesh the comparison does not have.
+fn commands_without_mesh(report: &Report, input: &str) -> Vec<String> {
+    let shown: Vec<Purpose> = advised(report).into_iter().map(|(purpose, _)| purpose).collect();
+    let purposes = report.advice.purposes(report.purpose);
+    let missing = purposes.into_iter().filter(|purpose| !shown.contains(purpose));
+    missing.map(|purpose| advised_command(input, purpose)).collect()
+}
+
 /// The meshes that the verdict compares, the advised one first, and the others.
-fn figures(comparison: &Comparison) -> (Vec<Figure<'_>>, Vec<Figure<'_>>) {
+fn figures<'a>(comparison: &'a Comparison, input: &str) -> (Vec<Figure<'a>>, Vec<Figure<'a>>) {
     let report = comparison.report();
     let advised = advised(report);
     let mut main = Vec::new();
@@ -322,6 +333,11 @@ fn figures(comparison: &Comparison) -> (Vec<Figure<'_>>, Vec<Figure<'_>>) {
             defects: &method.defects,
             thinned: thinned(triangles, MAX_DRAWN),
             has_triangles: triangles > 0,
+            commands: advised
+                .iter()
+                .filter(|(_, other)| *other == method.method)
+                .map(|&(purpose, _)| advised_command(input, purpose))
+                .collect(),
         };
         match method.method {
             _ if place_advised.is_some() => main.push(figure),
@@ -397,7 +413,7 @@ mod tests {
         // No side of 2, so that every fan has a flat triangle.
         let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(4); 4]).unwrap();
         let comparison = compare(&domain, &CompareOptions::default()).unwrap();
-        let (main, others) = figures(&comparison);
+        let (main, others) = figures(&comparison, "plate.json");
         let without = |figures: &[Figure<'_>]| -> Vec<String> {
             let missing = figures.iter().filter(|figure| !figure.has_triangles);
             missing.map(|figure| figure.name.clone()).collect()

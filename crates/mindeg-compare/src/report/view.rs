@@ -138,6 +138,7 @@ pub fn write_view(mesh: &TriMesh, provenance: &Provenance, mut out: impl Write) 
             defects: &[],
             thinned: thinned(triangles.len(), most_drawn),
             has_triangles: true,
+            commands: Vec::new(),
         },
         measures: measures(&figures),
         explanations: SHOWN.iter().map(|shown| (shown.title, shown.explanation())).collect(),
