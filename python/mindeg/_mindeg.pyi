@@ -107,7 +107,7 @@ class _Domain:
     def _condition(
         self,
         limit: float,
-        given: tuple[float | None, float | None, float | None, float | None],
+        given: tuple[float | None, float | None, float | None, float | None, float | None],
         keep: Sequence[str],
     ) -> tuple[str, dict[str, Any]]: ...
     def tradeoff(self) -> list[TradeOffPoint]: ...

@@ -196,3 +196,54 @@ fn conditioning_that_says_nothing_is_refused() {
     }
     assert!(content(folder.path()).is_empty());
 }
+
+/// A square with a creek, an island behind a strait, and a bay cut in two by a spit.
+const NARROWS: &[u8] = br#"{"type": "Polygon", "coordinates": [
+  [[0, 0], [40, 0], [40, 9.8], [50, 9.8], [50, 10.2], [40, 10.2], [40, 40], [20.3, 40], [20.3, 30], [20, 30], [20, 40], [0, 40], [0, 0]],
+  [[0.5, 10], [0.5, 20], [8, 20], [8, 10], [0.5, 10]]]}"#;
+
+#[test]
+fn narrow_water_is_closed_and_narrow_land_cut_off_and_all_are_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let (new, changes) = (path("sea.json"), path("changes.geojson"));
+    let options = ["condition", "-", "--narrowest", "1", "-o", &new, "--changes", &changes];
+    let run = mindeg_reading(options, NARROWS);
+    let text = run.text();
+    let line = "1 narrow inlet closed, 1 strait closed, 1 spit of land cut off\nElsewhere it moved nowhere.";
+    assert!(text.contains(line), "{text}");
+    let read = |path: &str| -> serde_json::Value {
+        serde_json::from_slice(&std::fs::read(path).expect("a file")).expect("JSON")
+    };
+    let features = read(&changes)["features"].clone();
+    let kinds: Vec<String> = features
+        .as_array()
+        .expect("features")
+        .iter()
+        .filter_map(|it| it["properties"]["kind"].as_str().map(str::to_owned))
+        .collect();
+    assert_eq!(&kinds[..3], ["inlet_closed", "strait_closed", "spit_cut"]);
+    // The island is land of the one ring, also where kinds were told before.
+    assert!(read(&new)["holes"].as_array().is_none_or(Vec::is_empty));
+    let kinds = [
+        "condition",
+        "-",
+        "--narrowest",
+        "1",
+        "--open",
+        "box",
+        "--least-opening",
+        "39",
+        "-o",
+        &new,
+    ];
+    mindeg_reading(kinds, NARROWS).text();
+    let sides = read(&new)["sides"].clone();
+    assert!(
+        sides.as_array().expect("sides").iter().all(|side| side["kind"] != "island"),
+        "{sides}"
+    );
+    // Nothing narrow is left.
+    let again = mindeg(["condition", &new, "--narrowest", "1", "--json"]).json();
+    assert_eq!((&again["inlets_closed"], &again["narrow"]), (&json!(0), &json!([])));
+}

@@ -3,7 +3,7 @@
 use crate::numbers::{count, four_digits, steady_angle};
 use mindeg::Domain;
 use mindeg::glam::DVec2;
-use mindeg::interior::{ChangeKind, Conditioned, Reason};
+use mindeg::interior::{ChangeKind, Conditioned, Narrow, NarrowReason, Reason};
 use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -39,6 +39,14 @@ pub struct ConditionAnswer {
     pub cut: usize,
     /// Holes that were dropped.
     pub holes_dropped: usize,
+    /// Narrow arms of the domain that were closed.
+    pub inlets_closed: usize,
+    /// Narrow places between wider ones that were closed.
+    pub straits_closed: usize,
+    /// Parts that closed straits cut off, which were dropped.
+    pub basins_dropped: usize,
+    /// Narrow tongues of what is outside that were cut off.
+    pub spits_cut: usize,
     /// The largest distance of the old boundary and the new one from each other, at most.
     pub moved: f64,
     /// No mesh of the old boundary has a greater minimum angle.
@@ -51,12 +59,14 @@ pub struct ConditionAnswer {
     pub changes: Vec<ChangeRow>,
     /// The places that stay below the demanded angle.
     pub left: Vec<LeftRow>,
+    /// The places that are narrower than the least width, and stay.
+    pub narrow: Vec<NarrowRow>,
 }
 
 /// One change.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ChangeRow {
-    /// `dropped`, `inserted`, `cut` or `hole_dropped`.
+    /// `dropped`, `inserted`, `cut`, `hole_dropped`, `inlet_closed`, `strait_closed`, `basin_dropped` or `spit_cut`.
     pub kind: &'static str,
     /// Where.
     pub at: [f64; 2],
@@ -79,6 +89,21 @@ pub struct LeftRow {
     pub reason: &'static str,
 }
 
+/// A narrow place that stays.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct NarrowRow {
+    /// Where.
+    pub at: [f64; 2],
+    /// The same in degrees of longitude and latitude, if the domain was projected.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub degrees: Option<[f64; 2]>,
+    /// How narrow: the least distance of its points that face each other.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub width: Option<f64>,
+    /// Why.
+    pub reason: &'static str,
+}
+
 impl ConditionAnswer {
     /// The figures of conditioned domains: those before, those after, and what was done to each.
     #[must_use]
@@ -96,6 +121,10 @@ impl ConditionAnswer {
                 ChangeKind::Inserted => "inserted",
                 ChangeKind::Cut => "cut",
                 ChangeKind::HoleDropped => "hole_dropped",
+                ChangeKind::InletClosed => "inlet_closed",
+                ChangeKind::StraitClosed => "strait_closed",
+                ChangeKind::BasinDropped => "basin_dropped",
+                ChangeKind::SpitCut => "spit_cut",
             };
             ChangeRow { kind, at: change.at.to_array(), degrees: degrees(change.at) }
         };
@@ -111,6 +140,12 @@ impl ConditionAnswer {
             let at = left.at.to_array();
             LeftRow { at, degrees: degrees(left.at), angle_limit: left.limit, reason }
         };
+        let narrow = |narrow: &Narrow| NarrowRow {
+            at: narrow.at.to_array(),
+            degrees: degrees(narrow.at),
+            width: Some(narrow.width).filter(|width| width.is_finite()),
+            reason: why_narrow(narrow.reason),
+        };
         Self {
             points_before: before.iter().map(points).sum(),
             points: after.iter().map(points).sum(),
@@ -118,12 +153,17 @@ impl ConditionAnswer {
             inserted: count(ChangeKind::Inserted),
             cut: count(ChangeKind::Cut),
             holes_dropped: count(ChangeKind::HoleDropped),
+            inlets_closed: count(ChangeKind::InletClosed),
+            straits_closed: count(ChangeKind::StraitClosed),
+            basins_dropped: count(ChangeKind::BasinDropped),
+            spits_cut: count(ChangeKind::SpitCut),
             moved: conditioned.iter().map(|one| one.moved).fold(0.0, f64::max),
             angle_limit_before: least(|one| one.before),
             angle_limit: least(|one| one.after),
             is_reached: left_over().next().is_none(),
             changes: changes().map(change).collect(),
             left: left_over().map(left).collect(),
+            narrow: conditioned.iter().flat_map(|one| &one.narrow).map(narrow).collect(),
         }
     }
 
@@ -142,13 +182,33 @@ impl ConditionAnswer {
             plural(self.cut, "sharp corner", "sharp corners"),
             plural(self.holes_dropped, "hole", "holes"),
         );
+        let narrow = [
+            (self.inlets_closed, "narrow inlet closed", "narrow inlets closed"),
+            (self.straits_closed, "strait closed", "straits closed"),
+            (self.basins_dropped, "basin behind them dropped", "basins behind them dropped"),
+            (self.spits_cut, "spit of land cut off", "spits of land cut off"),
+        ];
+        let narrow = narrow.into_iter().filter(|row| row.0 > 0);
+        let narrow: Vec<String> = narrow.map(|(n, one, many)| plural(n, one, many)).collect();
+        if !narrow.is_empty() {
+            let _ = writeln!(text, "{}", narrow.join(", "));
+        }
+        for reason in [NarrowReason::Kept, NarrowReason::Between, NarrowReason::Everywhere] {
+            let why = why_narrow(reason);
+            let stay = self.narrow.iter().filter(|row| row.reason == why).count();
+            if stay > 0 {
+                let stay = plural(stay, "narrow place stays", "narrow places stay");
+                let _ = writeln!(text, "{stay}: {why}");
+            }
+        }
+        let it = if narrow.is_empty() { "It" } else { "Elsewhere it" };
         let moved = if self.moved > 0.0 {
             // A projected domain is in metres.
             let is_metric = self.changes.iter().any(|row| row.degrees.is_some());
             let unit = if is_metric { " m" } else { "" };
-            format!("It moved by {}{unit} at most", four_digits(self.moved))
+            format!("{it} moved by {}{unit} at most", four_digits(self.moved))
         } else {
-            "It moved nowhere".to_owned()
+            format!("{it} moved nowhere")
         };
         let _ = writeln!(
             text,
@@ -219,14 +279,27 @@ impl ConditionAnswer {
                 json!({"kind": "left", "angle_limit": row.angle_limit, "reason": row.reason});
             point(row.degrees.unwrap_or(row.at), properties)
         });
+        let narrow = self.narrow.iter().map(|row| {
+            let properties = json!({"kind": "narrow", "width": row.width, "reason": row.reason});
+            point(row.degrees.unwrap_or(row.at), properties)
+        });
         let boundaries = [("before", before), ("after", after)].map(|(name, domains)| {
             domains
                 .iter()
                 .flat_map(move |domain| [vec![polygon(name, domain)], lines(name, domain)].concat())
         });
         let boundaries = boundaries.into_iter().flatten();
-        let features: Vec<Value> = boundaries.chain(changes).chain(left).collect();
+        let features: Vec<Value> = boundaries.chain(changes).chain(left).chain(narrow).collect();
         json!({"type": "FeatureCollection", "features": features})
+    }
+}
+
+/// Why a narrow place stays.
+fn why_narrow(reason: NarrowReason) -> &'static str {
+    match reason {
+        NarrowReason::Kept => "something there stays, or the boundary would touch itself",
+        NarrowReason::Between => "land between two waters, which would join",
+        NarrowReason::Everywhere => "nowhere wider; --least-island drops small islands",
     }
 }
 

@@ -63,5 +63,6 @@ pub(crate) fn refuse_degrees(
         ("--size", size),
         ("--within", change.within),
         ("--least-island", change.least_island),
+        ("--narrowest", change.narrowest),
     ])
 }

@@ -33,6 +33,36 @@ pub enum ChangeKind {
     Cut,
     /// A hole was dropped.
     HoleDropped,
+    /// A narrow arm of the domain was closed.
+    InletClosed,
+    /// A narrow place between two wider ones was closed; holes may have joined other rings.
+    StraitClosed,
+    /// What a closed strait cut off was dropped.
+    BasinDropped,
+    /// A narrow tongue of what is outside was cut off.
+    SpitCut,
+}
+
+/// A place narrower than the width that stays.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Narrow {
+    /// Where.
+    pub at: DVec2,
+    /// The least distance of the points there that face each other; infinite for a single triangle.
+    pub width: f64,
+    /// Why.
+    pub reason: NarrowReason,
+}
+
+/// The reasons why a narrow place stays.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum NarrowReason {
+    /// Something there is to stay: a point, a line, a side of its own, a corner where names or kinds change, or what lies beyond.
+    Kept,
+    /// Something outside between wider parts of it: opening it would join two parts of the domain.
+    Between,
+    /// A part that is nowhere wider, such as an island.
+    Everywhere,
 }
 
 /// A place that stays below the demanded angle.

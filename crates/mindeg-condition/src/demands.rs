@@ -34,12 +34,15 @@ pub struct BoundaryDemands {
     pub growth: f64,
     /// Holes of a smaller area are dropped.
     pub least_hole: f64,
+    /// Narrower arms of the domain and straits are closed, narrower tongues of what is outside cut off, if they are deeper than wide.
+    /// `within` does not bound this. 0: none.
+    pub narrowest: f64,
 }
 
 /// 25 degrees, and nothing moved.
 impl Default for BoundaryDemands {
     fn default() -> Self {
-        Self { angle: 25.0, within: 0.0, size: None, growth: 0.0, least_hole: 0.0 }
+        Self { angle: 25.0, within: 0.0, size: None, growth: 0.0, least_hole: 0.0, narrowest: 0.0 }
     }
 }
 
@@ -69,6 +72,9 @@ impl BoundaryDemands {
         }
         if !is_length(self.least_hole) {
             return Err(ConditionError::Demand("the least area of a hole is to be 0 or more"));
+        }
+        if !is_length(self.narrowest) {
+            return Err(ConditionError::Demand("the least width is to be 0 or more"));
         }
         Ok(())
     }

@@ -15,6 +15,9 @@ pub enum ConditionError {
         "the conditioned boundary is not sound: {0}; allow a smaller angle or a larger distance"
     )]
     Unsound(BoundaryFaults),
+    /// The narrow places cannot be told.
+    #[error("{0}; demand no least width")]
+    Narrow(String),
     /// More points than a mesh can have.
     #[error(
         "the conditioned boundary has more than {0} points; demand a smaller angle or allow a larger distance"

@@ -22,7 +22,7 @@
 //!
 //! Lines inside are changed as rings are, each once for both sides; where they meet each other or rings, they stay.
 //!
-//! Limits: straits are neither closed nor opened, they get shorter edges; two rings are never joined.
+//! With a least width, narrower straits and arms of the domain are closed first, and narrower tongues of what is outside cut off.
 
 mod chains;
 mod changes;
@@ -31,14 +31,16 @@ mod dropping;
 mod edges;
 mod error;
 mod grid;
+mod narrow;
 mod stars;
 mod tips;
 
-pub use changes::{BoundaryChange, ChangeKind, Left, Point, Reason};
+pub use changes::{BoundaryChange, ChangeKind, Left, Narrow, NarrowReason, Point, Reason};
 pub use demands::{BoundaryDemands, Hold, LEAST_GROWTH};
 pub use error::ConditionError;
 
 use crate::chains::{Chains, is_closed};
+use crate::narrow::Narrowed;
 use glam::DVec2;
 use mindeg_mesh::planar::PlanarBoundary;
 use std::collections::{BTreeMap, BTreeSet};
@@ -54,12 +56,14 @@ pub struct Conditioned {
     pub changes: Vec<BoundaryChange>,
     /// The places that stay below the demanded angle.
     pub left: Vec<Left>,
+    /// The places that are narrower than the least width, and stay.
+    pub narrow: Vec<Narrow>,
     /// The limit of the old boundary, in degrees.
     pub before: f64,
     /// The limit of the new boundary, in degrees.
     pub after: f64,
     /// The greatest distance of a dropped point from the new boundary, which bounds the distance of both boundaries from each
-    /// other.
+    /// other, but where something narrow was closed or cut off, or a hole dropped.
     pub moved: f64,
 }
 
@@ -99,6 +103,54 @@ pub fn condition_map(
     marks: &[DVec2],
 ) -> Result<Conditioned, ConditionError> {
     demands.check()?;
+    if demands.narrowest == 0.0 {
+        return of_wide(boundary, demands, hold, has_domain, marks);
+    }
+    let rules =
+        narrow::Rules { width: demands.narrowest, hold: &hold, has_domain: &has_domain, marks };
+    let Narrowed { rings, changes, narrow } = narrow::narrowed(boundary, &rules)?;
+    if changes.is_empty() {
+        let found = of_wide(boundary, demands, hold, has_domain, marks)?;
+        return Ok(Conditioned { narrow, ..found });
+    }
+    let before = Chains::new(boundary, &hold, &has_domain, marks).limit_of_all();
+    // The lines are as they were.
+    let line = |line: usize| -> Vec<Point> {
+        let first: u32 = (0..line).map(|line| boundary.line(line).len() as u32).sum();
+        let segments = (boundary.vertex_count() + first..).zip(boundary.line(line));
+        let point = |of, edge| Point { at: boundary.point(of), of: Some(of), edge };
+        let last = segments.clone().last().filter(|_| !is_closed(boundary.line(line)));
+        let last = last.map(|(edge, ends)| point(ends[1], edge));
+        segments.map(|(edge, ends)| point(ends[0], edge)).chain(last).collect()
+    };
+    let lines: Vec<Vec<Point>> = (0..boundary.line_count()).map(line).collect();
+    let (wide, own) = checked(boundary, &rings, &lines)?;
+    let old_edge = |edge: u32| match own.get(edge as usize) {
+        Some(point) if edge < wide.vertex_count() => point.edge,
+        _ => edge - wide.vertex_count() + boundary.vertex_count(),
+    };
+    let hold_of = |edge: u32| {
+        let is_new = edge < wide.vertex_count() && own[edge as usize].of.is_none();
+        let hold = hold(old_edge(edge));
+        if is_new && hold < Hold::Edge { Hold::Free } else { hold }
+    };
+    let mut found = of_wide(&wide, demands, hold_of, |edge| has_domain(old_edge(edge)), marks)?;
+    for point in found.rings.iter_mut().chain(&mut found.lines).flatten() {
+        point.of = point.of.and_then(|of| own[of as usize].of);
+        point.edge = old_edge(point.edge);
+    }
+    found.changes.splice(0..0, changes);
+    Ok(Conditioned { before, narrow, ..found })
+}
+
+/// [`condition_map`] without a least width.
+fn of_wide(
+    boundary: &PlanarBoundary,
+    demands: &BoundaryDemands,
+    hold: impl Fn(u32) -> Hold,
+    has_domain: impl Fn(u32) -> [bool; 2],
+    marks: &[DVec2],
+) -> Result<Conditioned, ConditionError> {
     let mut chains = Chains::new(boundary, hold, has_domain, marks);
     let before = chains.limit_of_all();
     chains.drop_holes(demands.least_hole);
@@ -106,30 +158,31 @@ pub fn condition_map(
     chains.cut_tips(demands);
     chains.divide(demands)?;
     let (rings, lines) = chains.points();
-    check(boundary, &rings, &lines)?;
+    checked(boundary, &rings, &lines)?;
     let (after, left, moved) = (chains.limit_of_all(), chains.left(demands), chains.moved());
-    Ok(Conditioned { rings, lines, changes: chains.changes, left, before, after, moved })
+    let (changes, narrow) = (chains.changes, Vec::new());
+    Ok(Conditioned { rings, lines, changes, left, narrow, before, after, moved })
 }
 
-/// Proves the new boundary by the exact sweep.
-fn check(
+/// Proves the new boundary by the exact sweep. Gives it, and each of its vertices as a point of the old one.
+fn checked(
     old: &PlanarBoundary,
     rings: &[Vec<Point>],
     lines: &[Vec<Point>],
-) -> Result<(), ConditionError> {
+) -> Result<(PlanarBoundary, Vec<Point>), ConditionError> {
     let places: Vec<Vec<DVec2>> =
         rings.iter().map(|ring| ring.iter().map(|point| point.at).collect()).collect();
-    let on_rings = rings.iter().map(Vec::len).sum::<usize>() as u32;
-    let own = (0..).zip(rings.iter().flatten());
+    let mut own: Vec<Point> = rings.concat();
+    let on_rings = own.len() as u32;
+    let vertices = (0..).zip(&own);
     let mut known: BTreeMap<u32, u32> =
-        own.filter_map(|(vertex, point)| Some((point.of?, vertex))).collect();
+        vertices.filter_map(|(vertex, point)| Some((point.of?, vertex))).collect();
     // Loose points inside stay, and so are vertices of no line.
-    let mut inner: Vec<DVec2> = Vec::new();
     let mut vertex = |point: &Point| {
-        let new = on_rings + inner.len() as u32;
+        let new = own.len() as u32;
         let vertex = point.of.map_or(new, |of| *known.entry(of).or_insert(new));
         if vertex == new {
-            inner.push(point.at);
+            own.push(*point);
         }
         vertex
     };
@@ -145,12 +198,15 @@ fn check(
         .collect();
     let of_lines: BTreeSet<u32> = old.segments().as_flattened().iter().copied().collect();
     let loose = (old.vertex_count()..).zip(old.inner_points());
-    inner.extend(loose.filter(|(vertex, _)| !of_lines.contains(vertex)).map(|(_, at)| *at));
-    let (_, turned) =
+    let loose = loose.filter(|(vertex, _)| !of_lines.contains(vertex));
+    own.extend(loose.map(|(of, at)| Point { at: *at, of: Some(of), edge: of }));
+    let inner: Vec<DVec2> = own[on_rings as usize..].iter().map(|point| point.at).collect();
+    let (boundary, turned) =
         PlanarBoundary::map(&places, &inner, &lines).map_err(ConditionError::Unsound)?;
     if turned.is_empty() {
-        return Ok(());
+        return Ok((boundary, own));
     }
     // Names the rings.
-    PlanarBoundary::new(&places).map(|_| ()).map_err(ConditionError::Unsound)
+    PlanarBoundary::new(&places).map_err(ConditionError::Unsound)?;
+    Ok((boundary, own))
 }

@@ -163,7 +163,7 @@ fn coasts_by_chance_reach_the_angle_within_the_distance() {
                 within,
                 size,
                 growth: if seed % 2 == 0 { 0.5 } else { 0.0 },
-                least_hole: 0.0,
+                ..BoundaryDemands::default()
             };
             let found = condition(&boundary, &demands, |_| Hold::Free).unwrap();
             let new = places(&found);

@@ -79,16 +79,17 @@ impl Domain {
         &self,
         py: Python<'py>,
         limit: f64,
-        given: [Option<f64>; 4],
+        given: [Option<f64>; 5],
         keep: Vec<String>,
     ) -> PyResult<(String, Bound<'py, PyAny>)> {
-        let [within, size, growth, least_island] = given;
+        let [within, size, growth, least_island, narrowest] = given;
         let base = size.map_or_else(BoundaryDemands::default, BoundaryDemands::of_size);
         let demands = BoundaryDemands {
             angle: limit,
             within: within.unwrap_or(base.within),
             growth: growth.unwrap_or(base.growth),
             least_hole: least_island.unwrap_or_default(),
+            narrowest: narrowest.unwrap_or_default(),
             ..base
         };
         let (new, conditioned) = done(py, |_| condition(&self.inner, &demands, &keep))?;

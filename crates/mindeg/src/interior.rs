@@ -36,7 +36,8 @@ pub use improve::{ImprovedMesh, improve};
 pub use lift::{Lift, lift};
 pub use limit::{AngleLimit, Cause, angle_limit};
 pub use mindeg_condition::{
-    BoundaryChange, BoundaryDemands, ChangeKind, Conditioned, LEAST_GROWTH, Left, Reason,
+    BoundaryChange, BoundaryDemands, ChangeKind, Conditioned, LEAST_GROWTH, Left, Narrow,
+    NarrowReason, Reason,
 };
 pub use mindeg_interior::limits::{FanLimit, Limits, TentLimit, degree_limit};
 pub use mindeg_interior::{

@@ -13,7 +13,8 @@ Examples:
   mindeg condition assets/domains/great-britain.json --limit 30 -o britain.json
   mindeg condition assets/domains/great-britain.json --within 5 --size 20 --json
   mindeg mesh britain.json --interior -o britain.14
-  mindeg condition assets/outlines/saronic.geojson --project auto --size 2km";
+  mindeg condition assets/outlines/saronic.geojson --project auto --size 2km
+  mindeg condition coast.geojson --project auto --narrowest 500m -o sea.json";
 
 /// Change a boundary by as little as it takes for a mesh with points inside to reach an angle
 ///
@@ -55,8 +56,9 @@ pub(crate) struct ConditionArguments {
     #[arg(short, long, value_name = "FILE", help_heading = None)]
     pub(crate) output: Option<PathBuf>,
 
-    /// Print the changes as JSON: points_before, points, dropped, inserted, cut, holes_dropped, moved,
-    /// angle_limit_before, angle_limit, is_reached, and the lists changes and left
+    /// Print the changes as JSON: points_before, points, dropped, inserted, cut, holes_dropped, inlets_closed,
+    /// straits_closed, basins_dropped, spits_cut, moved, angle_limit_before, angle_limit, is_reached, and the lists changes, left
+    /// and narrow
     #[arg(long, help_heading = None)]
     pub(crate) json: bool,
 
@@ -77,6 +79,11 @@ pub(crate) struct ChangeArguments {
     #[arg(long, value_name = "AREA", value_parser = area, allow_hyphen_values = true)]
     pub(crate) least_island: Option<Length>,
 
+    /// Close inlets and straits that are narrower, and cut off narrower spits of land, however far that is; what a strait cuts off
+    /// is dropped, but for the largest part. A bay or cape no deeper than wide stays
+    #[arg(long, value_name = "LENGTH", value_parser = length_with_unit, allow_hyphen_values = true)]
+    pub(crate) narrowest: Option<Length>,
+
     /// A side that keeps all its points, by its name, such as "side 3"; may be given several times
     #[arg(long, value_name = "NAME")]
     pub(crate) keep: Vec<String>,
@@ -93,6 +100,7 @@ impl ChangeArguments {
         let given = [
             ("--within", self.within.is_some()),
             ("--least-island", self.least_island.is_some()),
+            ("--narrowest", self.narrowest.is_some()),
             ("--keep", !self.keep.is_empty()),
             ("--changes", self.changes.is_some()),
         ];
@@ -112,6 +120,7 @@ impl ChangeArguments {
             angle,
             within: self.within.map_or(base.within, |it| it.value),
             growth: growth.unwrap_or(base.growth),
+            narrowest: self.narrowest.map_or(0.0, |it| it.value),
             least_hole: self.least_island.map_or(0.0, |it| it.value),
             ..base
         }

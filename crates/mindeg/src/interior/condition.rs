@@ -179,6 +179,18 @@ impl<'a> Pieces<'a> {
         (&side.name, side.kind)
     }
 
+    /// What an edge is told to be on a ring: an island that joined the outer one is land.
+    fn told_on(&self, is_outer: bool, edge: u32) -> (Option<&'a str>, Option<LineKind>) {
+        match self.told(edge) {
+            (name, Some(LineKind::Island)) if is_outer => {
+                let is_plain = name.as_deref() == Some("island");
+                let name = if is_plain { Some("land") } else { name.as_deref() };
+                (name, Some(LineKind::Land))
+            }
+            (name, kind) => (name.as_deref(), kind),
+        }
+    }
+
     /// The edge before one on its ring or line.
     fn before(&self, edge: u32) -> Option<u32> {
         let Some((line, ..)) = self.of_line(edge) else {
@@ -218,11 +230,14 @@ impl<'a> Pieces<'a> {
 
     /// The domain with the new rings and lines.
     fn rebuilt(&self, found: &Conditioned) -> Result<Domain, mindeg_domain::DomainError> {
-        let mut rings = found.rings.iter().map(|ring| self.ring_of(ring, true));
+        let rings = (0..).zip(&found.rings);
+        let mut rings = rings.map(|(index, ring)| self.ring_of(ring, true, index == 0));
         let Ring { corners, sides } = rings.next().unwrap_or_default();
         let lines = found.lines.iter().zip(&self.domain.inside().lines);
         let inside = Inside {
-            lines: lines.map(|(points, line)| self.ring_of(points, !line.is_open())).collect(),
+            lines: lines
+                .map(|(points, line)| self.ring_of(points, !line.is_open(), false))
+                .collect(),
             ..self.domain.inside().clone()
         };
         let new = Domain::builder(Outline::Polygon(corners), sides).inside(inside);
@@ -239,12 +254,12 @@ impl<'a> Pieces<'a> {
     }
 
     /// A conditioned ring or line with its sides, from the first corner that is left.
-    fn ring_of(&self, points: &[Point], is_closed: bool) -> Ring {
+    fn ring_of(&self, points: &[Point], is_closed: bool, is_outer: bool) -> Ring {
         // A corner that was cut off leaves its sides to the points beside it.
         let is_corner = |at: usize| {
             let (point, before) = (&points[at], &points[(at + points.len() - 1) % points.len()]);
             point.of.is_some() && self.begins(point.edge)
-                || self.told(point.edge) != self.told(before.edge)
+                || self.told_on(is_outer, point.edge) != self.told_on(is_outer, before.edge)
         };
         let first = match is_closed {
             true => (0..points.len()).find(|at| is_corner(*at)).unwrap_or(0),
@@ -263,7 +278,8 @@ impl<'a> Pieces<'a> {
             } else {
                 ring.corners.push(point.at);
                 inner.push(Vec::new());
-                let Side { name, kind, .. } = self.side(point.edge).clone();
+                let (name, kind) = self.told_on(is_outer, point.edge);
+                let name = name.map(str::to_owned);
                 ring.sides.push(Side { name, kind, ..Side::count(1) });
             }
         }
