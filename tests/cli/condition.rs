@@ -140,8 +140,7 @@ fn one_step_gives_the_mesh_of_two_and_tells_the_changes() {
 
     // Without a mesh there is no drawing of its changes.
     let unmet = path("unmet.geojson");
-    let demand =
-        ["--condition=24", "--size", "4km", "--changes", &unmet, "--interior-degree", "6..6"];
+    let demand = ["--condition=24", "--size", "4km", "--changes", &unmet, "--max-degree", "5"];
     let run = mindeg([&["mesh"], &project[..], &["--interior", "-o", &two], &demand].concat());
     assert_eq!(run.code, Some(3), "{run:?}");
     assert!(!std::fs::exists(&unmet).expect("an answer"), "changes of no mesh");

@@ -135,8 +135,10 @@ fn what_is_demanded_and_not_reached_is_not_written() {
     let folder = tempfile::tempdir().expect("a folder for the file");
     let file = folder.path().join("mesh.obj");
     // A corner between unequal intervals takes degrees other than 6.
-    let demands = ["--interior", "--interior-degree", "6..6", "-o", text(&file)];
-    let all = || COARSE.into_iter().chain(demands);
+    let all = || {
+        let domain = ["mesh", "--rectangle", "4x4", "--intervals", "12,12,12,1"];
+        domain.into_iter().chain(["--interior", "--interior-degree", "6..6", "-o", text(&file)])
+    };
     let run = mindeg(all());
     assert_eq!(run.code, Some(3), "{run:?}");
     assert!(run.errors.contains("outside the range: vertex "), "{}", run.errors);

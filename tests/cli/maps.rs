@@ -278,7 +278,15 @@ fn degrees_come_with_their_bound() {
         .refuses(&["no mesh here has maximum degree 5: each has at least 6"]);
     let proof = ["degree", MAP, "--proof", "proof.json"];
     mindeg(proof).refuses(&["mindeg verify finds and checks its proof"]);
-    let degrees = |command| mindeg([command, MAP, "--json"]).json();
+    let folder = tempdir().expect("a folder");
+    let two = folder.path().join("two.json");
+    let regions = r#"[{"at": [1, 1], "name": "left"}, {"at": [3, 1], "name": "right"}]"#;
+    let domain = format!(
+        r#"{{"rectangle": {{"width": 4, "height": 2}}, "size": 1, "lines": [{{"corners": [[2, 0], [2, 2]]}}],
+            "regions": {regions}}}"#
+    );
+    fs::write(&two, domain).expect("a file");
+    let degrees = |command| mindeg([command, text(&two), "--json"]).json();
     assert_eq!(degrees("suggest")["reached"], degrees("degree")["reached"]);
 }
 

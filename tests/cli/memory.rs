@@ -37,7 +37,7 @@ fn peak_memory_is_small_at_any_size() {
         assert!(peak < limit, "{intervals} intervals a side: {peak} bytes");
     }
     for (format, per_vertex) in [("msh", 124), ("vtu", 110), ("vtk", 88)] {
-        let peak = peak(1 << 20, format, per_vertex);
+        let peak = peak(1 << 19, format, per_vertex);
         assert!(peak < limit, "{format}: {peak} bytes");
     }
 }

@@ -158,7 +158,7 @@ fn whichever_write_fails_its_error_is_told() {
             let (_, calls) = write_to_faulty(mesh, way, None, most);
             assert!(calls > 0);
             // All of them where they are few, and some of many.
-            for at in (0..calls).step_by((calls / 9).max(1)).chain([calls - 1]) {
+            for at in (0..calls).step_by((calls / 4).max(1)).chain([calls - 1]) {
                 let kind = [ErrorKind::StorageFull, ErrorKind::BrokenPipe][at % 2];
                 let fault = Some((at, Fault::Kind(kind)));
                 match write_to_faulty(mesh, way, fault, most).0 {
