@@ -61,7 +61,7 @@ impl Purpose {
         match self {
             Self::Solver => "points inside, for large angles",
             Self::Patch => {
-                "the boundary points alone, the fewest edges at a vertex that keep 95% of the angle"
+                "no points inside, and the fewest edges at a vertex that keep 95% of the angle"
             }
             Self::Fewest => "the fewest edges at a vertex, however small the angles",
         }

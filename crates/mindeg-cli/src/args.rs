@@ -53,20 +53,22 @@ pub(crate) use view::ViewArguments;
 
 use clap::{Args, ColorChoice, Parser, Subcommand};
 use clap_complete::Shell;
+use std::ffi::OsString;
+
+/// The same for each command; `mindeg --help` has more words.
+const SHORT_EXIT_CODES: &str =
+    "Exit codes: 0 done, 1 a file failed, 2 bad input, 3 not what was demanded";
 
 const EXIT_CODES: &str = "\
 Exit codes:
   0  success (also when the reader of standard output stops early)
   1  something could not be read or written, or does not fit where it goes
-  2  bad input: wrong usage, a domain that cannot be meshed, counts out of
-     range, degree limits that cannot be kept, a broken file
-  3  a mesh is not what was demanded of it (--max-degree, --target-angle,
-     --preset, --interior-degree, --boundary-degree), or does not pass
-     mindeg verify";
+  2  bad input: wrong usage, a domain that cannot be meshed, a broken file
+  3  a mesh is not what was demanded of it, or does not pass mindeg verify";
 
-/// Examples, and the exit codes below them, for `--help`.
+/// Examples of a command, and the exit codes in a line, for `--help`.
 fn with_exit_codes(examples: &str) -> String {
-    format!("{examples}\n\n{EXIT_CODES}")
+    format!("{examples}\n\n{SHORT_EXIT_CODES}")
 }
 
 const EXAMPLES: &str = "\
@@ -81,13 +83,15 @@ Examples:
 /// degree; add points inside on request.
 #[derive(Debug, Parser)]
 #[command(name = "mindeg", version, max_term_width = 100)]
-#[command(after_help = EXAMPLES, after_long_help = with_exit_codes(EXAMPLES))]
+#[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{EXIT_CODES}"))]
 pub(crate) struct Arguments {
     #[command(subcommand)]
     pub(crate) command: Command,
 
-    /// Color messages and help; auto: on a terminal, unless NO_COLOR is set
+    /// Color messages and help: always, never or auto, on a terminal unless NO_COLOR is set
     #[arg(
+        hide_possible_values = true,
+        hide_default_value = true,
         long,
         value_name = "WHEN",
         default_value = "auto",
@@ -122,6 +126,17 @@ impl Arguments {
     /// The command line.
     pub(crate) fn whole() -> clap::Command {
         <Self as clap::CommandFactory>::command()
+    }
+
+    /// The same command line, for those who ask by these words for all help of a command.
+    pub(crate) fn long(words: &[OsString]) -> clap::Command {
+        let whole = Self::whole();
+        let names = whole.get_subcommands().map(|command| command.get_name().to_owned());
+        let asked: Vec<String> =
+            names.filter(|name| words.iter().any(|word| word == name.as_str())).collect();
+        asked
+            .into_iter()
+            .fold(whole, |whole, name| whole.mut_subcommand(&name, first_screen::complete))
     }
 
     /// The same command line, for those who ask for help by `-h`.

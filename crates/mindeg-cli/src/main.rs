@@ -65,8 +65,12 @@ fn main() -> ExitCode {
     let words: Vec<OsString> = env::args_os().collect();
     let color = terminal::color_choice(&words);
     terminal::set_color(color);
-    let asks_briefly = words.iter().any(|word| word == "-h");
-    let command = if asks_briefly { Arguments::short() } else { Arguments::whole() };
+    let asks = |for_help: &[&str]| words.iter().any(|word| for_help.iter().any(|it| word == it));
+    let command = match () {
+        () if asks(&["-h"]) => Arguments::short(),
+        () if asks(&["--help", "help"]) => Arguments::long(&words),
+        () => Arguments::whole(),
+    };
     let matches = command.color(color).try_get_matches_from(&words);
     let mut arguments = match matches.and_then(|matches| Arguments::from_arg_matches(&matches)) {
         Ok(arguments) => arguments,

@@ -13,7 +13,7 @@ use crate::sizes::{Size, SizeAt, is_size};
 #[cfg_attr(feature = "json", derive(serde::Serialize, serde::Deserialize, schemars::JsonSchema))]
 #[cfg_attr(feature = "json", serde(deny_unknown_fields))]
 pub struct Interior {
-    /// How fast the size grows: change of size per distance [default: 0.15; 0.5 beside longer edges]
+    /// How fast the size grows per distance [default: 0.15, beside longer edges 0.5]
     #[cfg_attr(feature = "json", schemars(extend("exclusiveMinimum" = 0)))]
     pub growth: Option<f64>,
     /// The size far from the boundary [default: a mean of the boundary's intervals]

@@ -109,9 +109,9 @@ pub static GOALS: [GoalKind; 4] = [
     GoalKind {
         key: "keep_angle",
         value: GoalValue::Share,
-        help: "Make the mesh with the smallest maximum degree that keeps this share of the minimum angle of a \
-               Delaunay triangulation, such as 95% or 0.95. Exact up to 4096 vertices of a convex boundary; \
-               beyond, the share is kept, and the degree is what was reached",
+        help: "Make the mesh with the smallest maximum degree that keeps this share of Delaunay's minimum angle, \
+               such as 95% or 0.95. Beyond 4096 vertices the degree is what was \
+               reached",
         choice: Some("the least that keeps {} % of the angle"),
         models: true,
         instead: Some("--target-angle A asks for a minimum angle"),
@@ -120,10 +120,8 @@ pub static GOALS: [GoalKind; 4] = [
     GoalKind {
         key: "max_degree",
         value: GoalValue::Degree,
-        help: "Make the mesh with the largest minimum angle of all whose vertices have at most this many edges. \
-               Exact up to 4096 vertices of a convex boundary: below a second for 400, half a minute for 4000; \
-               beyond, as large as was reached. A mesh with more is not written, also with --keep-angle or \
-               interior points",
+        help: "Make the mesh with the largest minimum angle of all whose vertices have at most this many edges; \
+               beyond 4096 vertices what was reached. One with more is never written",
         choice: None,
         models: true,
         instead: None,
@@ -135,8 +133,8 @@ pub static GOALS: [GoalKind; 4] = [
     GoalKind {
         key: "optimize",
         value: GoalValue::Word("angle"),
-        help: "Make the mesh with the largest minimum angle of all within --max-degree, or of all with the least \
-               possible maximum degree, also where that is not the default for its cost",
+        help: "Make the mesh with the largest minimum angle within --max-degree, or else of the least possible \
+               maximum degree, also where that costs too much for the default",
         choice: None,
         models: false,
         instead: Some("--prefer angle puts the minimum angle first"),

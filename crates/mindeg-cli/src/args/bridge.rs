@@ -38,29 +38,29 @@ pub(crate) struct BridgeArguments {
 
     /// The loop of the first mesh: its index from 1 such as 2, a vertex on it such as v17, or a point
     /// near it such as 0,0,1.5. Needed if there are several
-    #[arg(long, value_name = "LOOP", allow_hyphen_values = true)]
+    #[arg(long, value_name = "LOOP", allow_hyphen_values = true, help_heading = "Strip")]
     pub(crate) from: Option<LoopChoice>,
 
     /// The loop of the second mesh, or the other one of the first
-    #[arg(long, value_name = "LOOP", allow_hyphen_values = true)]
+    #[arg(long, value_name = "LOOP", allow_hyphen_values = true, help_heading = "Strip")]
     pub(crate) to: Option<LoopChoice>,
 
     /// The largest total degree of a vertex on the loops; without it, the least that is possible
-    #[arg(long, value_name = "D", value_parser = whole_number, allow_hyphen_values = true)]
+    #[arg(long, value_name = "D", value_parser = whole_number, allow_hyphen_values = true, help_heading = "Strip")]
     pub(crate) max_degree: Option<u32>,
 
     /// Write nothing and end with exit code 3 if a triangle of the strip has an angle below this many degrees, up to 60
-    #[arg(long, value_name = "A", value_parser = target_angle, allow_hyphen_values = true)]
+    #[arg(long, value_name = "A", value_parser = target_angle, allow_hyphen_values = true, help_heading = "Strip")]
     pub(crate) target_angle: Option<f64>,
 
     /// Print JSON: from and to (loop, vertices, first_vertex), vertices, triangles, strip (its
     /// triangles), max_degree, least_max_degree, at_least, min_angle, next_min_angle,
     /// angle_without_limit, degree_without_limit, planar, crossings (pairs of triangles), dropped, files.
     /// Loops are counted from 1, vertices and triangles from 0
-    #[arg(long)]
+    #[arg(long, help_heading = "Messages")]
     pub(crate) json: bool,
 
     /// Print no summary and show no progress on standard error
-    #[arg(short, long)]
+    #[arg(short, long, help_heading = "Messages")]
     pub(crate) quiet: bool,
 }

@@ -35,33 +35,39 @@ pub(crate) struct CompareArguments {
     /// Where to write the report, by extension .html, .json or .md; - is standard output. May be
     /// given several times. A folder takes an HTML report for each domain and an index page;
     /// several domains need one
-    #[arg(short, long, value_name = "FILE", required_unless_present = "json")]
+    #[arg(
+        short,
+        long,
+        value_name = "FILE",
+        required_unless_present = "json",
+        help_heading = "Report"
+    )]
     pub(crate) output: Vec<PathBuf>,
 
     /// The format of the report on standard output
-    #[arg(long, value_name = "FORMAT")]
+    #[arg(long, value_name = "FORMAT", help_heading = "Report")]
     pub(crate) format: Option<ReportFormat>,
 
     /// Write every method's mesh as an OBJ into this folder; with several domains, into a folder
     /// for each
-    #[arg(long, value_name = "FOLDER")]
+    #[arg(long, value_name = "FOLDER", help_heading = "Report")]
     pub(crate) save_meshes: Option<PathBuf>,
 
     /// Also compare the mesh with points inside with a Delaunay refinement of the same boundary, also on domains of more
     /// than 1000 boundary points
-    #[arg(long)]
+    #[arg(long, help_heading = "Report")]
     pub(crate) interior: bool,
 
     /// How long each method may take, in seconds; the report lists one that takes longer as such
-    #[arg(long, value_name = "SECONDS", default_value = "60", value_parser = seconds, allow_hyphen_values = true)]
+    #[arg(long, value_name = "SECONDS", default_value = "60", value_parser = seconds, allow_hyphen_values = true, help_heading = "Report")]
     pub(crate) time_limit: Duration,
 
     /// Print the report as JSON on standard output
-    #[arg(long)]
+    #[arg(long, help_heading = "Messages")]
     pub(crate) json: bool,
 
     /// Print no verdicts and show no progress on standard error
-    #[arg(short, long)]
+    #[arg(short, long, help_heading = "Messages")]
     pub(crate) quiet: bool,
 
     #[command(flatten)]

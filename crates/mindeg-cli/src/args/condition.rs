@@ -25,8 +25,7 @@ Examples:
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES, after_long_help = with_exit_codes(EXAMPLES))]
 pub(crate) struct ConditionArguments {
-    /// A domain in JSON, or an outline as GeoJSON, TopoJSON, WKT, SVG, CSV, OBJ lines, Gmsh's MSH, Triangle's .poly
-    /// or DXF; - reads standard input
+    /// A domain in JSON, or an outline in a format that mindeg formats lists; - reads standard input
     #[arg(id = "domain", value_name = "DOMAIN")]
     pub(crate) file: PathBuf,
 
@@ -71,7 +70,7 @@ pub(crate) struct ConditionArguments {
 #[derive(Clone, Debug, Args)]
 #[command(next_help_heading = "Conditioning")]
 pub(crate) struct ChangeArguments {
-    /// How far the boundary may move; without it an eighth of --size, and without both nothing moves
+    /// How far the boundary may move [default: an eighth of --size; without both nothing moves]
     #[arg(long, value_name = "LENGTH", value_parser = distance, allow_hyphen_values = true)]
     pub(crate) within: Option<Length>,
 
@@ -79,17 +78,16 @@ pub(crate) struct ChangeArguments {
     #[arg(long, value_name = "AREA", value_parser = area, allow_hyphen_values = true)]
     pub(crate) least_island: Option<Length>,
 
-    /// Close inlets and straits that are narrower, and cut off narrower spits of land, however far that is; what a strait cuts off
-    /// is dropped, but for the largest part. A bay or cape no deeper than wide stays
+    /// Close narrower inlets and straits and cut off narrower spits, however far that is; what a strait cuts off is
+    /// dropped, but for the largest part. A bay or cape no deeper than wide stays
     #[arg(long, value_name = "LENGTH", value_parser = length_with_unit, allow_hyphen_values = true)]
     pub(crate) narrowest: Option<Length>,
 
-    /// A side that keeps all its points, by its name, such as "side 3"; may be given several times
+    /// A side that keeps all its points, by its name, such as "side 3"; may be repeated
     #[arg(long, value_name = "NAME")]
     pub(crate) keep: Vec<String>,
 
-    /// Write both boundaries, all changes and the places that stay below the limit as GeoJSON, to draw them on a map; in
-    /// degrees if the outline was projected
+    /// Write boundaries, changes and places below the limit as GeoJSON, in degrees if projected
     #[arg(long, value_name = "FILE")]
     pub(crate) changes: Option<PathBuf>,
 }

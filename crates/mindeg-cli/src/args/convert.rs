@@ -25,6 +25,6 @@ pub(crate) struct ConvertArguments {
     pub(crate) surface: SurfaceArguments,
 
     /// Print no summary and show no progress on standard error
-    #[arg(short, long)]
+    #[arg(short, long, help_heading = "Messages")]
     pub(crate) quiet: bool,
 }

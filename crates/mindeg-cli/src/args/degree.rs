@@ -26,21 +26,21 @@ pub(crate) struct DegreeArguments {
 
     /// The most edges of a boundary vertex, for the limit of the minimum angle with interior points
     /// [default: 5]
-    #[arg(long, value_name = "D", value_parser = whole_number, allow_hyphen_values = true)]
+    #[arg(long, value_name = "D", value_parser = whole_number, allow_hyphen_values = true, help_heading = "Answer")]
     pub(crate) boundary_degree: Option<u32>,
 
     /// How long to search with holes, as a multiple of the default, which takes seconds
-    #[arg(long, value_name = "FACTOR", value_parser = factor, default_value = "1", allow_hyphen_values = true)]
+    #[arg(long, value_name = "FACTOR", value_parser = factor, default_value = "1", allow_hyphen_values = true, help_heading = "Answer")]
     pub(crate) effort: f64,
 
     /// Write the clauses that refute a smaller degree to a JSON file, which mindeg verify --proof repeats
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", help_heading = "Answer")]
     pub(crate) proof: Option<PathBuf>,
 
     /// Print JSON: intervals, holes, vertices, triangles, interior_edges, least_max_degree (null if
     /// not known), at_least, reached, reached_by, certificate (sides counted from 1); for a domain limit, with
     /// angle_limit, which interior points cannot exceed, and the change that lifts it
-    #[arg(long)]
+    #[arg(long, help_heading = "Messages")]
     pub(crate) json: bool,
 }
 
@@ -63,19 +63,19 @@ pub(crate) struct SuggestArguments {
     pub(crate) counts: CountsArguments,
 
     /// The degree to come down to; without it, every lower degree that a least change leads to
-    #[arg(long, value_name = "D", value_parser = whole_number, allow_hyphen_values = true)]
+    #[arg(long, value_name = "D", value_parser = whole_number, allow_hyphen_values = true, help_heading = "Answer")]
     pub(crate) max_degree: Option<u32>,
 
     /// Print at most this many suggestions: the first, the last, and others spread evenly between;
     /// 0 prints all
-    #[arg(long, value_name = "N", value_parser = whole_number, default_value = "20", allow_hyphen_values = true)]
+    #[arg(long, value_name = "N", value_parser = whole_number, default_value = "20", allow_hyphen_values = true, help_heading = "Answer")]
     pub(crate) limit: u32,
 
     /// Print JSON: intervals, least_max_degree (null if not known), reached, suggestion_count, and suggestions, a
     /// list of least_max_degree, reached, cost, cost_at_least (no change of less cost is enough), changes (side
     /// counted from 1 through all rings, by, and the points that are added to points of its own) and intervals; open, a smaller degree that no change was found for, with
     /// cost_at_least; for a domain limit and angle_suggestions
-    #[arg(long)]
+    #[arg(long, help_heading = "Messages")]
     pub(crate) json: bool,
 }
 

@@ -26,11 +26,11 @@ pub(crate) struct DescribeArguments {
 
     /// Where to write the domain in JSON; - is standard output. Several polygons go into a folder,
     /// which ends in /, or to names with {name} or {index}
-    #[arg(short, long, value_name = "FILE")]
+    #[arg(short, long, value_name = "FILE", help_heading = "Output")]
     pub(crate) output: Option<PathBuf>,
 
     /// Print what was understood as JSON: a list of index, name, error, rings, sides, vertices,
     /// area, min, max
-    #[arg(long, conflicts_with = "output")]
+    #[arg(long, conflicts_with = "output", help_heading = "Messages")]
     pub(crate) json: bool,
 }

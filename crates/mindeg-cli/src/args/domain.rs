@@ -12,9 +12,8 @@ use std::path::PathBuf;
 /// One domain, from a file or from options.
 #[derive(Clone, Debug, Args)]
 pub(crate) struct DomainArguments {
-    /// A domain in JSON, or outlines as GeoJSON, WKT, SVG, CSV, OBJ lines, Gmsh's MSH, Triangle's
-    /// .poly or DXF; - reads standard input. mindeg mesh also takes a whole model: an OBJ with
-    /// faces, a .glb or .gltf, or JSON with "faces"
+    /// A domain in JSON or outlines, as mindeg formats lists them; - reads standard input. mesh also takes models: OBJ
+    /// with faces, .glb, .gltf, or JSON with "faces"
     #[arg(id = "domain", value_name = "DOMAIN", help_heading = None)]
     pub(crate) file: Option<PathBuf>,
 
@@ -47,8 +46,8 @@ pub(crate) struct DomainOptions {
     #[arg(long, value_name = "LAW", value_parser = spacing)]
     pub(crate) spacing: Option<Spacing>,
 
-    /// A side is another one moved, such as right=left. Or "side 2=side 4"; may be given several times. The mesh is periodic
-    /// there, and its degrees are those of the joined mesh
+    /// A side is another one moved, such as right=left or "side 2=side 4": the mesh is periodic there, and its degrees
+    /// are those of the joined mesh. May be repeated
     #[arg(long, value_name = "SIDE=SIDE", value_parser = matched)]
     pub(crate) periodic: Vec<(String, String)>,
 
@@ -80,19 +79,18 @@ pub(crate) struct OutlineOptions {
     #[arg(long, value_name = "PROPERTY", requires = "domain")]
     pub(crate) name_by: Option<String>,
 
-    /// Make metres of longitudes and latitudes: auto, utm, EPSG:N or none. Also laea, stereographic, and a definition of PROJ's
-    /// such as "+proj=utm +zone=35"; none takes degrees as planar. The domain remembers it, and formats in degrees get degrees
-    /// again; for a domain in JSON, none makes it forget
+    /// Make metres of longitudes and latitudes: auto, utm, laea, stereographic, EPSG:N or a definition of PROJ's such as
+    /// "+proj=utm +zone=35"; none takes degrees as planar. The domain remembers it, until none: formats in degrees get
+    /// degrees again
     #[arg(long, value_name = "PROJECTION", requires = "domain", allow_hyphen_values = true)]
     pub(crate) project: Option<ProjectionChoice>,
 
-    /// Turn rings that cross or touch into polygons that do not, and drop what bounds no area; give lines inside that cross, in
-    /// JSON too, a point there
+    /// Turn rings that cross or touch into polygons that do not, drop what bounds no area, and give lines inside that
+    /// cross a point there
     #[arg(long, requires = "domain")]
     pub(crate) repair: bool,
 
-    /// How near to each other --repair makes points one, where polygons are regions of one mesh; without it as
-    /// near as rounding parts them
+    /// How near --repair makes points of regions one [default: as near as rounding parts them]
     #[arg(long, value_name = "LENGTH", value_parser = length, requires = "repair", allow_hyphen_values = true)]
     pub(crate) snap: Option<f64>,
 
@@ -104,7 +102,7 @@ pub(crate) struct OutlineOptions {
     #[arg(skip)]
     pub(crate) together: bool,
 
-    /// The rule by which --repair finds the inside: evenodd or nonzero; without it the fill rule of an SVG, else evenodd
+    /// How --repair finds the inside: evenodd or nonzero [default: the SVG's own, else evenodd]
     #[arg(long, value_name = "RULE", requires = "repair")]
     pub(crate) fill_rule: Option<FillRule>,
 

@@ -38,42 +38,47 @@ pub(crate) struct FillArguments {
 
     /// Add points inside: edges as long as those of the loop, 5 to 7 at each vertex of the filling and the loop, and a
     /// surface that continues the mesh around it smoothly. --max-degree and --extra-area decide the filling that it begins with
-    #[arg(long)]
+    #[arg(long, help_heading = "Filling")]
     pub(crate) interior: bool,
 
     /// The largest total degree of a vertex on a loop; without it, for each loop the least that is
     /// possible from 6 up and takes no more than --extra-area
-    #[arg(long, value_name = "D", value_parser = whole_number, allow_hyphen_values = true)]
+    #[arg(long, value_name = "D", value_parser = whole_number, allow_hyphen_values = true, help_heading = "Filling")]
     pub(crate) max_degree: Option<u32>,
 
     /// Without --max-degree: how much more area than without a limit a filling may take, such as 5%
     /// or 0.05; inf for the least degree, whatever its area
     #[arg(long, value_name = "SHARE", value_parser = extra, default_value = "5%",
-        conflicts_with = "max_degree", allow_hyphen_values = true)]
+        conflicts_with = "max_degree", allow_hyphen_values = true, help_heading = "Filling")]
     pub(crate) extra_area: f64,
 
     /// Keep loops of this many vertices or more open; up to 2001
-    #[arg(long, value_name = "N", value_parser = whole_number, default_value = "500", allow_hyphen_values = true)]
+    #[arg(long, value_name = "N", value_parser = whole_number, default_value = "500", allow_hyphen_values = true, help_heading = "Filling")]
     pub(crate) max_loop: u32,
 
     /// Fill this loop alone: its index from 1 such as 2, a vertex on it such as v17, or a point near it
-    /// such as 0,0,1.5. May be given several times
-    #[arg(long = "loop", value_name = "LOOP", allow_hyphen_values = true)]
+    /// such as 0,0,1.5. May be repeated
+    #[arg(
+        long = "loop",
+        value_name = "LOOP",
+        allow_hyphen_values = true,
+        help_heading = "Filling"
+    )]
     pub(crate) loops: Vec<LoopChoice>,
 
     /// Write nothing and end with exit code 3 if a new triangle has an angle below this many degrees, up to 60
-    #[arg(long, value_name = "A", value_parser = target_angle, allow_hyphen_values = true)]
+    #[arg(long, value_name = "A", value_parser = target_angle, allow_hyphen_values = true, help_heading = "Filling")]
     pub(crate) target_angle: Option<f64>,
 
     /// Print JSON: file, vertices, triangles, max_degree, filled (loop, vertices, first_vertex,
     /// limit, max_degree, area, area_without_limit, least_limit, area_at_least_limit, degree_without_limit, min_angle,
     /// triangles, vertices_inside, degrees, off_degree, without_points), left_open (loop, vertices, first_vertex, reason), crossings (pairs of triangles), dropped, files.
     /// Loops are counted from 1, vertices and triangles from 0
-    #[arg(long)]
+    #[arg(long, help_heading = "Messages")]
     pub(crate) json: bool,
 
     /// Print no summary and show no progress on standard error
-    #[arg(short, long)]
+    #[arg(short, long, help_heading = "Messages")]
     pub(crate) quiet: bool,
 }
 

@@ -1,6 +1,7 @@
-//! The help that fits a screen: `-h` shows what most users need, each in one sentence; `--help` shows all.
+//! What help shows: `-h` what most users need, each in one sentence, on a screen; `--help` all, without blank lines
+//! between options.
 
-use clap::Command;
+use clap::{Arg, ArgAction, Command};
 
 /// Headings, and the arguments below each.
 type Groups = [(&'static str, &'static [&'static str])];
@@ -14,7 +15,7 @@ const OF_MESH: &Groups = &[
 ];
 
 /// What `-h` hides in all other commands: what few need, and those know from `--help`.
-const HIDDEN: [&str; 22] = [
+const HIDDEN: [&str; 26] = [
     "feature",
     "proof",
     "format",
@@ -37,6 +38,10 @@ const HIDDEN: [&str; 22] = [
     "no_weld",
     "planar_tolerance",
     "effort",
+    "periodic",
+    "save_meshes",
+    "time_limit",
+    "reproduce",
 ];
 
 /// How many examples `-h` shows.
@@ -81,6 +86,35 @@ pub(super) fn shortened(command: Command) -> Command {
     })
 }
 
+/// A command with the help that has all. Clap leaves no blank lines where nothing is for long help alone.
+pub(super) fn complete(command: Command) -> Command {
+    let about = command.get_long_about().or(command.get_about()).cloned().unwrap_or_default();
+    let after = command.get_after_long_help().or(command.get_after_help()).cloned();
+    let after = after.unwrap_or_default();
+    let command = command.about(about).long_about(None).after_help(after).after_long_help(None);
+    // Who reads this has found it.
+    let help = Arg::new("help").short('h').long("help").action(ArgAction::HelpShort).hide(true);
+    let command = command.disable_help_flag(true).arg(help);
+    command.next_line_help(true).mut_args(|arg| {
+        let mut text =
+            arg.get_long_help().or(arg.get_help()).map(ToString::to_string).unwrap_or_default();
+        let values = arg.get_possible_values();
+        let explained: Vec<String> = values
+            .iter()
+            .filter_map(|it| Some(format!("{}: {}", it.get_name(), it.get_help()?)))
+            .collect();
+        let is_hidden = arg.is_hide_possible_values_set();
+        let are_explained = !is_hidden && !explained.is_empty();
+        if are_explained {
+            text += &format!("; {}", explained.join("; "));
+        }
+        arg.help(text)
+            .long_help(None)
+            .hide_short_help(false)
+            .hide_possible_values(is_hidden || are_explained)
+    })
+}
+
 /// The first examples of a text; one that goes on in the next line is one.
 fn first_examples(text: &str) -> String {
     let mut count = 0;
@@ -105,14 +139,13 @@ mod tests {
     use crate::args::Arguments;
 
     fn help(name: &str) -> [String; 2] {
-        let render = |mut command: clap::Command, is_long: bool| {
+        let render = |mut command: clap::Command| {
             command.build();
             let command = command.find_subcommand_mut(name).expect("a command");
             command.set_bin_name(format!("mindeg {name}"));
-            let mut command = command.clone().term_width(80);
-            if is_long { command.render_long_help() } else { command.render_help() }.to_string()
+            command.clone().term_width(80).render_help().to_string()
         };
-        [render(Arguments::short(), false), render(Arguments::whole(), true)]
+        [render(Arguments::short()), render(Arguments::long(&[name.into()]))]
     }
 
     #[test]
@@ -125,6 +158,15 @@ mod tests {
             }
         }
         assert!(!short.contains("--boundary-degree") && long.contains("--boundary-degree"));
+    }
+
+    /// The widest that help gets, as in a pipe.
+    #[test]
+    fn all_help_of_mesh_fits_few_screens() {
+        let mut command = Arguments::long(&["mesh".into()]);
+        let mesh = command.find_subcommand_mut("mesh").expect("a command");
+        let help = mesh.clone().term_width(100).render_help().to_string();
+        assert!(help.lines().count() <= 200, "{} lines: {help}", help.lines().count());
     }
 
     #[test]

@@ -66,7 +66,9 @@ fn option(kind: &'static GoalKind) -> Arg {
         GoalValue::Degree => arg.value_name("D").value_parser(ValueParser::from(read)),
         GoalValue::Word(word) => {
             let words = PossibleValuesParser::new([word]);
-            arg.value_name("WHAT").value_parser(words.try_map(|word| kind.read(&word)))
+            arg.value_name(word)
+                .hide_possible_values(true)
+                .value_parser(words.try_map(|word| kind.read(&word)))
         }
     };
     if is_demand(kind) {

@@ -34,18 +34,18 @@ pub(crate) struct ImproveArguments {
 
     /// Print a summary as JSON: file, vertices, triangles, merged_vertices, kept_edges, before, after,
     /// files
-    #[arg(long)]
+    #[arg(long, help_heading = "Messages")]
     pub(crate) json: bool,
 
     /// Print no summary and show no progress on standard error
-    #[arg(short, long)]
+    #[arg(short, long, help_heading = "Messages")]
     pub(crate) quiet: bool,
 
     #[command(flatten)]
     pub(crate) aims: Wanted<false>,
 
     /// The most edges at a vertex
-    #[arg(long, value_name = "D", value_parser = whole_number, allow_hyphen_values = true)]
+    #[arg(long, value_name = "D", value_parser = whole_number, allow_hyphen_values = true, help_heading = "Demands")]
     pub(crate) max_degree: Option<u32>,
 
     #[command(flatten)]

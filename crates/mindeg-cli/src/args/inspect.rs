@@ -55,11 +55,11 @@ pub(crate) struct InspectArguments {
     /// duplicate_faces, duplicate_triangles, zero_area_triangles, unreferenced_vertices,
     /// max_degree, degree_histogram, poles, area, min_angle, max_angle, metrics,
     /// share_below_degrees, worst_triangles, outline, no_outline, polygon
-    #[arg(long)]
+    #[arg(long, help_heading = "Messages")]
     pub(crate) json: bool,
 
     /// Show no progress on standard error
-    #[arg(short, long)]
+    #[arg(short, long, help_heading = "Messages")]
     pub(crate) quiet: bool,
 
     #[command(flatten)]

@@ -16,18 +16,17 @@ use std::sync::LazyLock;
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Interior points")]
 pub(crate) struct InteriorArguments {
-    /// Add points inside: the boundary points stay exactly; sizes grow smoothly from the boundary's;
-    /// degrees are 5 to 7 inside and at most 5 at the boundary; the minimum angle comes near its
+    /// Add points inside; the boundary stays exactly, sizes grow smoothly from it, and the minimum angle comes near its
     /// proven limit. Also on if the domain's file has "interior"
     #[arg(long)]
     pub(crate) interior: bool,
 
-    /// Mesh the boundary points alone, also if the domain's file has "interior"
+    /// Add none, also if the domain's file has "interior"
     #[arg(long, conflicts_with = "interior")]
     pub(crate) no_interior: bool,
 
-    /// Sizes between points, besides those of the domain's file: an ESRI grid (.asc), an NPZ with values, origin and
-    /// spacing, an MSH with node data, or a VTU with point data. May be given several times; the least size holds
+    /// Sizes between points: an ESRI grid (.asc), an NPZ with values, origin and spacing, an MSH with node data, or a
+    /// VTU with point data. May be repeated; the least size holds
     #[arg(long, value_name = "FILE")]
     pub(crate) sizes: Vec<PathBuf>,
 
@@ -88,7 +87,7 @@ fn option(key: &'static InteriorKey) -> Arg {
     let arg = arg.value_name(value_name(key)).allow_hyphen_values(true);
     if key.value == KeyValue::Choice {
         let words = PossibleValuesParser::new(key.choices.iter().map(|word| &**word));
-        return arg.value_parser(words.map(|word| json!(word)));
+        return arg.hide_possible_values(true).value_parser(words.map(|word| json!(word)));
     }
     arg.value_parser(ValueParser::from(move |text: &str| match name {
         "target_angle" => target_angle(text).map(|angle| json!(angle)),
@@ -101,7 +100,7 @@ fn value_name(key: &InteriorKey) -> String {
     let initial = key.name.rsplit('_').next().and_then(|last| last.chars().next());
     match key.value {
         KeyValue::Range => "A..B".to_owned(),
-        KeyValue::Choice => "WHAT".to_owned(),
+        KeyValue::Choice => key.choices.join("|"),
         _ => initial.map(|initial| initial.to_ascii_uppercase()).into_iter().collect(),
     }
 }

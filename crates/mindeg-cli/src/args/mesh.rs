@@ -26,15 +26,11 @@ Examples:
 
 /// Mesh a domain, a map or a model and write it to files
 ///
-/// Vertices are numbered counter-clockwise from the first corner. Without --interior every vertex is a boundary
-/// point. By default the mesh has the least possible maximum degree and, where that is found in about
-/// half a second, the largest minimum angle of all such meshes; elsewhere it is the best of at most 64
-/// candidates, and the summary says so. --keep-angle is what most users want.
-///
-/// A mesh that is not what was demanded is not written. Each file appears whole or not at all, and what cannot be
-/// written is refused before the mesh is looked for. A .gltf and its .bin are two files: if two
-/// runs write the same .gltf at the same time, one's .gltf can end beside the other's .bin. Write
-/// a .glb instead, or let one run end first.
+/// For a solver take --interior; for a patch that must keep its points, --keep-angle 95%. By default the mesh has no
+/// points inside, the least possible maximum degree and, where half a second finds it, the largest minimum angle of
+/// all such meshes; elsewhere the best of at most 64, and the summary says so. Vertices are numbered counter-clockwise
+/// from the first corner. What is not as demanded is not written. Each file appears whole or not at all; a .gltf is
+/// two: do not write it twice at a time.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES, after_long_help = with_exit_codes(EXAMPLES))]
 pub(crate) struct MeshArguments {
@@ -47,13 +43,12 @@ pub(crate) struct MeshArguments {
     #[command(flatten)]
     pub(crate) domain: DomainArguments,
 
-    /// Mesh each polygon of a file by itself, into files of its own: give a folder, such as -o meshes/.
-    /// Otherwise polygons are the regions of one mesh
+    /// Mesh each polygon by itself, into a file in the folder of -o, not as a region of one mesh
     #[arg(long, requires = "domain", help_heading = "Outlines")]
     pub(crate) separate: bool,
 
-    /// Change the boundary first by as little as it takes to allow this minimum angle, 25° without =ANGLE, as mindeg condition
-    /// does; --size is then the length that its edges should have. Needs --interior
+    /// Change the boundary first by as little as allows this minimum angle, 25° without =ANGLE, as mindeg condition
+    /// does, with --size for the length of its edges. Needs --interior
     #[arg(long, value_name = "ANGLE", value_parser = limit, num_args = 0..=1, require_equals = true,
         default_missing_value = "25", help_heading = "Conditioning")]
     pub(crate) condition: Option<f64>,
@@ -73,9 +68,9 @@ pub(crate) struct MeshArguments {
     #[command(flatten)]
     pub(crate) preset: PresetArgument,
 
-    /// Print a summary as JSON; its keys: name, intervals, vertices, triangles, max_degree,
-    /// least_max_degree, at_least, min_angle, max_angle, found_by, delaunay_min_angle, reversed, files; of polygons
-    /// that do not all hang together also regions and parts; with --condition also conditioned, as mindeg condition has it
+    /// Print a summary as JSON; its keys: name, intervals, vertices, triangles, max_degree, least_max_degree,
+    /// at_least, min_angle, max_angle, found_by, delaunay_min_angle, reversed, files, and where they apply regions,
+    /// parts and conditioned
     #[arg(long, help_heading = "Messages")]
     pub(crate) json: bool,
 
@@ -113,12 +108,11 @@ pub(crate) struct ModelArguments {
     #[arg(long)]
     pub(crate) merge_coplanar: bool,
 
-    /// How far a corner may be from the plane of its face; by default a hundred-thousandth of the
-    /// model's largest extent
+    /// How far a corner may be from its face's plane [default: 1e-5 of the largest extent]
     #[arg(long, value_name = "LENGTH", value_parser = length, allow_hyphen_values = true)]
     pub(crate) planar_tolerance: Option<f64>,
 
-    /// How long to look for a smaller degree, as a multiple of the default, which takes seconds
+    /// How long to look for a smaller degree: a multiple of the default, seconds
     #[arg(long, value_name = "FACTOR", value_parser = factor, default_value = "1",
         allow_hyphen_values = true)]
     pub(crate) effort: f64,

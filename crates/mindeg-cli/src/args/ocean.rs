@@ -12,17 +12,17 @@ use std::path::PathBuf;
 #[derive(Clone, Debug, Default, Args)]
 #[command(next_help_heading = "Ocean models")]
 pub(crate) struct BoundaryKinds {
-    /// Sides that are open water: box, those on the box around the domain (of its degrees, if it was projected), or the
-    /// name of sides. The others are land, and holes islands. May be given several times
+    /// Sides that are open water, by name, or box: those on the box around the domain (of its degrees, if projected).
+    /// The others are land, and holes islands. May be repeated
     #[arg(long, value_name = "box|NAME")]
     pub(crate) open: Vec<String>,
 
-    /// The boundary from the vertex nearest to one point to that nearest to another, counter-clockwise, is open water; points
-    /// are in degrees if the domain was projected. May be given several times
+    /// The boundary from the vertex nearest to one point to that nearest to another, counter-clockwise, is open
+    /// water; in degrees if the domain was projected. May be repeated
     #[arg(long, value_name = "x,y", num_args = 2, value_parser = place, allow_hyphen_values = true)]
     pub(crate) open_between: Vec<[f64; 2]>,
 
-    /// Stretches of open water that are shorter are land: bays that the box cuts, gaps between capes
+    /// Shorter stretches of open water are land: bays that the box cuts, gaps between capes
     #[arg(long, value_name = "LENGTH", value_parser = length_with_unit, allow_hyphen_values = true)]
     pub(crate) least_opening: Option<Length>,
 }
@@ -79,8 +79,8 @@ impl BoundaryKinds {
 #[derive(Clone, Debug, Default, Args)]
 #[command(next_help_heading = "Ocean models")]
 pub(crate) struct DepthArguments {
-    /// Depths, positive down, on a grid: an ESRI grid (.asc), or an NPZ with values, origin and spacing; in degrees if the
-    /// domain was projected and the grid is within them. The vertices get them, for formats with depths
+    /// Depths of the vertices, positive down, from an ESRI grid (.asc) or an NPZ as for --sizes; in degrees if the
+    /// domain was projected and the grid is within them
     #[arg(long, value_name = "FILE")]
     pub(crate) depth: Option<PathBuf>,
 

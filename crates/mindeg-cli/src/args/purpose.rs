@@ -8,7 +8,7 @@ use mindeg_answers::advice::Purpose;
 #[derive(Clone, Copy, Debug, Args)]
 pub(crate) struct PurposeArgument {
     /// What the mesh is for, which decides the advice; without it, the first two are named
-    #[arg(id = ID, long = "for", value_name = "PURPOSE", value_parser = parser())]
+    #[arg(id = ID, long = "for", value_name = "PURPOSE", value_parser = parser(), help_heading = "Goals")]
     pub(crate) purpose: Option<Purpose>,
 }
 

@@ -36,47 +36,47 @@ pub(crate) struct RemeshArguments {
 
     /// The edge length where neither curvature nor near features ask for less; without it the lesser of the
     /// mean edge and a twentieth of the diagonal
-    #[arg(long, value_name = "S", value_parser = length, allow_hyphen_values = true)]
+    #[arg(long, value_name = "S", value_parser = length, allow_hyphen_values = true, help_heading = "Surface")]
     pub(crate) size: Option<f64>,
 
     /// About this many vertices, instead of a size
-    #[arg(long, value_name = "N", value_parser = whole_number, conflicts_with = "size", allow_hyphen_values = true)]
+    #[arg(long, value_name = "N", value_parser = whole_number, conflicts_with = "size", allow_hyphen_values = true, help_heading = "Surface")]
     pub(crate) vertices: Option<u32>,
 
     /// How far the surfaces may be apart, both ways: a length, or a share of the part's diagonal such as 0.3%
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "Surface")]
     pub(crate) tolerance: Option<Tolerance>,
 
     /// Edges that turn by more than this many degrees are features; at 180 none is
-    #[arg(long, value_name = "ANGLE", value_parser = angle, default_value = "40", allow_hyphen_values = true)]
+    #[arg(long, value_name = "ANGLE", value_parser = angle, default_value = "40", allow_hyphen_values = true, help_heading = "Surface")]
     pub(crate) feature_angle: f64,
 
     /// Keep the edges of the boundary bit for bit
-    #[arg(long)]
+    #[arg(long, help_heading = "Surface")]
     pub(crate) keep_boundary: bool,
 
     /// Keep all other feature edges bit for bit
-    #[arg(long)]
+    #[arg(long, help_heading = "Surface")]
     pub(crate) keep_features: bool,
 
     /// Make edges up to three times as long where the surface is flat
-    #[arg(long)]
+    #[arg(long, help_heading = "Surface")]
     pub(crate) curvature: bool,
 
     /// Mend the part first: weld points, drop faces without area or twice and those too many at an edge, turn faces over, fill holes
     /// with a rim below five sizes. The distance is that from the part after it
-    #[arg(long)]
+    #[arg(long, help_heading = "Surface")]
     pub(crate) repair: bool,
 
     /// Aim at this minimum angle in degrees, up to 60, instead of 35, and end with exit code 3 if it is not reached
-    #[arg(long, value_name = "A", value_parser = target_angle, allow_hyphen_values = true)]
+    #[arg(long, value_name = "A", value_parser = target_angle, allow_hyphen_values = true, help_heading = "Demands")]
     pub(crate) target_angle: Option<f64>,
 
     #[command(flatten)]
     pub(crate) preset: PresetArgument,
 
     /// Write the mesh even if it is not what was demanded; the exit code stays 3
-    #[arg(long)]
+    #[arg(long, help_heading = "Demands")]
     pub(crate) write_anyway: bool,
 
     /// Print JSON: file, vertices, triangles, size, tolerance, diagonal, degrees, boundary_degrees, off_degree (vertex, point,
@@ -84,10 +84,10 @@ pub(crate) struct RemeshArguments {
     /// patches, to_part, from_part, curves_to_part, curves_from_part (at_least, at_most, place), crossings, part_crossings,
     /// repairs (welded_points, flat_faces, doubled_faces, crowded_faces, turned_faces, split_points, filled_holes, fill_faces),
     /// dropped, defects (kind, message), files
-    #[arg(long)]
+    #[arg(long, help_heading = "Messages")]
     pub(crate) json: bool,
 
     /// Print no summary and show no progress on standard error
-    #[arg(short, long)]
+    #[arg(short, long, help_heading = "Messages")]
     pub(crate) quiet: bool,
 }

@@ -40,10 +40,10 @@ pub(crate) struct StitchArguments {
 
     /// Print JSON: vertices, triangles, new_vertices, new_triangles, min_angle of the new triangles, joined (how many vertices of the
     /// meshes lie inside now), outside_5_to_7 (those of them with fewer or more edges: vertex, at, degree), files
-    #[arg(long)]
+    #[arg(long, help_heading = "Messages")]
     pub(crate) json: bool,
 
     /// Print no summary and show no progress on standard error
-    #[arg(short, long)]
+    #[arg(short, long, help_heading = "Messages")]
     pub(crate) quiet: bool,
 }

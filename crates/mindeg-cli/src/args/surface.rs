@@ -10,8 +10,8 @@ use std::path::PathBuf;
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Output")]
 pub(crate) struct SurfaceArguments {
-    /// Where to write: mesh.vtu, mesh.obj, …; the extension tells the format, and mindeg formats lists them. - is standard
-    /// output. May be given several times
+    /// Where to write: mesh.vtu, mesh.obj, …; the extension tells the format, and mindeg formats lists them. - is
+    /// standard output. May be repeated
     #[arg(short, long, value_name = "FILE", required = true)]
     pub(crate) output: Vec<PathBuf>,
 
@@ -19,7 +19,7 @@ pub(crate) struct SurfaceArguments {
     #[arg(long)]
     pub(crate) show: bool,
 
-    /// The format where the extension does not tell it; mindeg formats lists the names
+    /// The format where the extension does not tell it
     #[arg(long, value_name = "FORMAT", value_parser = format_parser(Format::WRITTEN), hide_possible_values = true)]
     pub(crate) format: Option<Format>,
 
@@ -27,7 +27,7 @@ pub(crate) struct SurfaceArguments {
     #[arg(long)]
     pub(crate) ascii: bool,
 
-    /// The version of MSH: 4.1, which Gmsh writes today, or 2.2, which more programs read
+    /// The version of MSH: 4.1, as Gmsh writes it, or 2.2, which more programs read
     #[arg(long, value_name = "VERSION", default_value = "4.1", hide_possible_values = true)]
     pub(crate) msh_version: MshVersionName,
 
@@ -47,8 +47,7 @@ pub(crate) struct SurfaceArguments {
     #[arg(long)]
     pub(crate) boundary_lines: bool,
 
-    /// Say in each file how it was made: the command, the version and the digest of each input, in which files have no
-    /// folders. Then mindeg verify --reproduce makes it anew and compares the bytes
+    /// Say in each file how it was made; mindeg verify --reproduce makes it anew and compares
     #[arg(long)]
     pub(crate) recipe: bool,
 

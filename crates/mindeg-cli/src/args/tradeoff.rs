@@ -29,21 +29,21 @@ pub(crate) struct TradeoffArguments {
     pub(crate) purpose: PurposeArgument,
 
     /// Where to write a report with the curve and the meshes, by extension .html or .svg, or the
-    /// figures, .json; may be given several times
-    #[arg(short, long, value_name = "FILE")]
+    /// figures, .json; may be repeated
+    #[arg(short, long, value_name = "FILE", help_heading = "Report")]
     pub(crate) output: Vec<PathBuf>,
 
     /// Print at most this many rows: the first, the advised, the last, and others spread evenly
     /// between; 0 prints all
-    #[arg(long, value_name = "N", value_parser = whole_number, default_value = "20", allow_hyphen_values = true)]
+    #[arg(long, value_name = "N", value_parser = whole_number, default_value = "20", allow_hyphen_values = true, help_heading = "Report")]
     pub(crate) limit: u32,
 
     /// Print JSON instead of a table: points, a list of max_degree, min_angle,
     /// share_of_delaunay and exact, all of them; delaunay_min_angle; advised, the degree for a patch; and advice
-    #[arg(long)]
+    #[arg(long, help_heading = "Messages")]
     pub(crate) json: bool,
 
     /// Show no progress on standard error
-    #[arg(short, long)]
+    #[arg(short, long, help_heading = "Messages")]
     pub(crate) quiet: bool,
 }

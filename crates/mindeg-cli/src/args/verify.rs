@@ -50,27 +50,27 @@ pub(crate) struct VerifyArguments {
     /// millionth of the domain's extent, or what 32-bit floats round, whichever is larger; at most a
     /// quarter of the shortest interval. With --surface how far the surfaces may be apart, also as a share of
     /// the part's diagonal; 0.3% by default
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "Demands")]
     pub(crate) tolerance: Option<Tolerance>,
 
     /// Fail if the minimum angle is less than this share of the largest possible, such as 95% or 0.95. The
     /// largest is Delaunay's, or with interior points the limit that the boundary sets
-    #[arg(long, value_name = "SHARE", value_parser = Goal::share, allow_hyphen_values = true)]
+    #[arg(long, value_name = "SHARE", value_parser = Goal::share, allow_hyphen_values = true, help_heading = "Demands")]
     pub(crate) keep_angle: Option<f64>,
 
     /// Fail unless it is proven that no mesh of the same boundary points has a smaller maximum degree
-    #[arg(long)]
+    #[arg(long, help_heading = "Demands")]
     pub(crate) optimal: bool,
 
     /// Repeat the proof that mindeg degree --proof has written, instead of searching for one
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", help_heading = "Demands")]
     pub(crate) proof: Option<PathBuf>,
 
     /// Fail unless the recipe makes the same bytes. The recipe is what mindeg mesh --recipe writes; its inputs lie
     /// beside the file or in the current folder
     #[arg(long, conflicts_with_all = [
         "domain", "surface", "rectangle", "corners", "intervals", "size", "spacing", "keep_angle", "optimal", "proof", "tolerance"
-    ])]
+    ], help_heading = "Demands")]
     pub(crate) reproduce: bool,
 
     /// Print JSON: file, domain, valid, defect, plane, reversed, tolerance, farthest, boundary_vertices,
@@ -80,11 +80,11 @@ pub(crate) struct VerifyArguments {
     /// vertices, triangles, degrees, boundary_degrees, out_of_range, proven (vertex, degree, allowed, sectors), min_angle,
     /// min_angle_triangle, tolerance, diagonal, to_part, from_part, boundary_to_part, boundary_from_part, features_from_part, crossings, part_crossings, failed, passed;
     /// with --reproduce file, version, command, inputs, differs_at, passed
-    #[arg(long)]
+    #[arg(long, help_heading = "Messages")]
     pub(crate) json: bool,
 
     /// Show no progress on standard error
-    #[arg(short, long)]
+    #[arg(short, long, help_heading = "Messages")]
     pub(crate) quiet: bool,
 
     #[command(flatten)]

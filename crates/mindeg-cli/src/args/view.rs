@@ -40,10 +40,10 @@ pub(crate) struct ViewArguments {
     pub(crate) interior: bool,
 
     /// Where to write the page, which ends in .html; - is standard output
-    #[arg(short, long, value_name = "FILE")]
+    #[arg(short, long, value_name = "FILE", help_heading = "Output")]
     pub(crate) output: PathBuf,
 
     /// Print no summary and show no progress on standard error
-    #[arg(short, long)]
+    #[arg(short, long, help_heading = "Messages")]
     pub(crate) quiet: bool,
 }
