@@ -60,10 +60,8 @@ impl Purpose {
     pub fn help(self) -> &'static str {
         match self {
             Self::Solver => "points inside, for large angles",
-            Self::Patch => {
-                "no points inside, and the fewest edges at a vertex that keep 95% of the angle"
-            }
-            Self::Fewest => "the fewest edges at a vertex, however small the angles",
+            Self::Patch => "the fewest edges at a vertex that keep 95% of the angle",
+            Self::Fewest => "the fewest of all",
         }
     }
 

@@ -13,8 +13,7 @@ Examples:
   mindeg condition assets/domains/great-britain.json --limit 30 -o britain.json
   mindeg condition assets/domains/great-britain.json --within 5 --size 20 --json
   mindeg mesh britain.json --interior -o britain.14
-  mindeg condition assets/outlines/saronic.geojson --project auto --size 2km
-  mindeg condition coast.geojson --project auto --narrowest 500m -o sea.json";
+  mindeg condition assets/outlines/saronic.geojson --project auto --size 2km";
 
 /// Change a boundary by as little as it takes for a mesh with points inside to reach an angle
 ///
@@ -78,8 +77,8 @@ pub(crate) struct ChangeArguments {
     #[arg(long, value_name = "AREA", value_parser = area, allow_hyphen_values = true)]
     pub(crate) least_island: Option<Length>,
 
-    /// Close narrower inlets and straits and cut off narrower spits, however far that is; what a strait cuts off is
-    /// dropped, but for the largest part. A bay or cape no deeper than wide stays
+    /// Close narrower inlets and straits and cut off narrower spits, however far that is; of parts between straits the
+    /// largest stays. A bay or cape no deeper than wide stays
     #[arg(long, value_name = "LENGTH", value_parser = length_with_unit, allow_hyphen_values = true)]
     pub(crate) narrowest: Option<Length>,
 

@@ -21,7 +21,7 @@ pub(super) fn option() -> Arg {
         .long("for")
         .value_name("PURPOSE")
         .value_parser(parser())
-        .help("Make the mesh that is advised for this purpose")
+        .help("Make the mesh that is advised")
         .help_heading("Goals")
 }
 
