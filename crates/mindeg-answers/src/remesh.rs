@@ -158,8 +158,15 @@ impl RemeshAnswer {
             ));
         }
         if let Some(first) = self.proven.first() {
+            let what_to_do = match first.sectors.as_slice() {
+                [sum] => format!(
+                    "the part's angles there sum to {}, and only a blunter tip has room for more",
+                    steady_angle(*sum)
+                ),
+                _ => "--feature-angle 180 may drop these corners".to_owned(),
+            };
             lines.push(format!(
-                "{} the degree that corners of the part force, the first is vertex {} with {}; --feature-angle 180 may drop these corners.",
+                "{} the degree that corners of the part force, the first is vertex {} with {}; {what_to_do}.",
                 things(self.proven.len(), "vertex has", "vertices have"),
                 first.vertex,
                 first.degree

@@ -47,7 +47,7 @@ pub(crate) struct ProvenVertex {
     /// The least and greatest degree that the sectors allow.
     allowed: [u32; 2],
     /// The angles between the curves of the part.
-    sectors: Vec<f64>,
+    pub(crate) sectors: Vec<f64>,
 }
 
 impl From<&ProvenDegree> for ProvenVertex {

@@ -222,6 +222,10 @@ impl Graph {
     }
 }
 
+/// A tip is a needle's where its angles are less than a full turn by more than this, in radians: three triangles of 35°
+/// do not fit there. No operation gets past it without turning triangles over, so it stays at any angle.
+const NEEDLE: f64 = std::f64::consts::TAU - 105.0 * std::f64::consts::PI / 180.0;
+
 /// The vertices where curves end, turn, or where the surface has a tip.
 fn corners(links: &Links, graph: &Graph, rules: &FeatureRules) -> Vec<bool> {
     let at = |v: u32| links.points[v as usize];
@@ -235,7 +239,8 @@ fn corners(links: &Links, graph: &Graph, rules: &FeatureRules) -> Vec<bool> {
     let is_corner = |v: u32| match graph.around(v) {
         [] => {
             let defect = std::f64::consts::TAU - angles[v as usize];
-            rules.angle_deg < 180.0 && defect > rules.tip_defect
+            let least = if rules.angle_deg < 180.0 { rules.tip_defect } else { NEEDLE };
+            defect > least
         }
         &[one, other] => {
             let away = |edge: u32| {

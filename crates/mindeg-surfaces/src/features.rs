@@ -9,7 +9,7 @@ use crate::links::{Links, by_vertex, edge_of};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FeatureRules {
     /// An edge is sharp where the normals of its two triangles differ by more than this angle, in degrees, 0 to 180.
-    /// At 180 no edge and no tip is sharp.
+    /// At 180 no edge is sharp, and no tip but a needle's, whose angles sum to less than 105°.
     pub angle_deg: f64,
     /// Edges that turn by more than this angle, in degrees, continue a line of sharp edges up to the next feature: a
     /// gap no longer than `shortest` is closed.

@@ -120,6 +120,13 @@ fn a_tip_is_a_corner_and_groups_have_borders() {
     points[16].z = 0.5;
     let flat = Surface::new(&points, &triangles, &[], &FeatureRules::default()).unwrap();
     assert_eq!(flat.spot(16), Spot::Inside { patch: 0 });
+    // A needle's tip is one at any angle.
+    let smooth = FeatureRules { angle_deg: 180.0, ..FeatureRules::default() };
+    for (height, spot) in [(1.0, Spot::Inside { patch: 0 }), (6.0, Spot::Corner)] {
+        points[16].z = height;
+        assert_eq!(Surface::new(&points, &triangles, &[], &smooth).unwrap().spot(16), spot);
+    }
+    points[16].z = 0.5;
     // Two groups: their border turns at the tip, and ends at the rim.
     let groups: Vec<u32> = (0..16).map(|i| 7 + i / 8).collect();
     let halves = Surface::new(&points, &triangles, &groups, &FeatureRules::default()).unwrap();

@@ -179,6 +179,32 @@ fn star(points: u32, inner: f64) -> TriMesh {
     mesh(((0..count).map(ring).chain(tips).collect(), sides))
 }
 
+/// A cone of height 6 over the corners of a regular polygon on the unit circle, its tip first.
+fn needle(count: u32) -> TriMesh {
+    let ring = |i: u32| {
+        let (sin, cos) = (f64::from(i) / f64::from(count) * std::f64::consts::TAU).sin_cos();
+        DVec3::new(cos, sin, 0.0)
+    };
+    let next = |i: u32| 2 + (i + 1) % count;
+    let sides = (0..count).flat_map(|i| [[0, 2 + i, next(i)], [1, next(i), 2 + i]]).collect();
+    mesh(([6.0 * DVec3::Z, DVec3::ZERO].into_iter().chain((0..count).map(ring)).collect(), sides))
+}
+
+/// Where no three triangles of 35° fit, a mesh may have as few edges as its minimum angle needs.
+#[test]
+fn needles_prove_few_edges_at_their_tips() {
+    let part = needle(12);
+    let rules = SurfaceRules::within(1.0);
+    let tip = |mesh: &TriMesh| {
+        let found = verified(mesh, &part, &rules);
+        found.proven.iter().find(|tip| tip.vertex == 0).map(|tip| (tip.degree, tip.allowed))
+    };
+    assert_eq!(tip(&needle(3)), Some((3, [3, 3])));
+    assert_eq!(tip(&needle(4)), Some((4, [3, 4])));
+    // With twelve the minimum angle is so small that five edges fit.
+    assert_eq!(tip(&part), None);
+}
+
 #[test]
 fn corners_prove_degrees_out_of_the_usual_range() {
     let part = tetrahedron();

@@ -25,6 +25,8 @@ pub(crate) struct Sectors {
 const LEAST_ANGLE: f64 = 28.0;
 /// The most triangles at a vertex on the boundary, where its sectors allow so few.
 const MOST_ON_BOUNDARY: u32 = 4;
+/// No vertex has fewer triangles all around it.
+const LEAST_AROUND: u32 = 3;
 /// The greatest angle that a sector's triangles should have, in degrees.
 const GREATEST_ANGLE: f64 = 100.0;
 
@@ -82,11 +84,11 @@ impl Sectors {
             soft += off.max(0.0);
         }
         let total = self.sectors.iter().map(|sector| sector.triangles).sum();
-        let excess = if self.is_closed {
-            excess + beyond(total, &self.total(kind, interior))
-        } else {
-            // Most boundary vertices have one sector: its triangles are all, and do not count twice.
-            excess.max(beyond(total, &self.on_boundary()))
+        // One sector has all the triangles: they do not count twice.
+        let excess = match (self.is_closed, self.sectors.len()) {
+            (true, 1) => beyond(total, &self.total(kind, interior)),
+            (true, _) => excess + beyond(total, &self.total(kind, interior)),
+            (false, _) => excess.max(beyond(total, &self.on_boundary())),
         };
         (excess, soft)
     }
@@ -105,14 +107,16 @@ impl Sectors {
     }
 
     /// How many triangles these sectors have in any mesh without an angle below `least`, in degrees: in each of the n
-    /// triangles of a sector the angle is between `least` and 180 degrees less twice that.
+    /// triangles of a sector the angle is between `least` and 180 degrees less twice that. Off the boundary there are three at
+    /// least.
     pub(crate) fn allowed(&self, least: f64) -> [u32; 2] {
         let counts = self.sectors.iter().map(|sector| {
             // A hair less: sectors are sums of rounded angles.
             let low = libm::ceil(sector.angle / (180.0 - 2.0 * least) - 1e-9).max(1.0);
             [low, libm::floor(sector.angle / least + 1e-9)].map(|count| count as u32)
         });
-        counts.fold([0, 0], |[low, high], count| [low + count[0], high + count[1]])
+        let all = counts.fold([0, 0], |[low, high], count| [low + count[0], high + count[1]]);
+        all.map(|count| if self.is_closed { count.max(LEAST_AROUND) } else { count })
     }
 
     /// How many triangles a vertex on the boundary may have: 4, which have 5 edges, unless its sectors need more.
@@ -128,8 +132,12 @@ impl Sectors {
         }
         let fit = |sector: &SurfaceSector| libm::floor(sector.angle / 35.0).max(1.0) as u32;
         let fitting: u32 = self.sectors.iter().map(fit).sum();
+        // At a needle's tip each more makes all of them thinner.
+        if self.sectors.len() == 1 && fitting < LEAST_AROUND {
+            return LEAST_AROUND..=LEAST_AROUND;
+        }
         let needed: u32 = self.sectors.iter().map(|sector| *sector.range().start()).sum();
-        let least = (*interior.start()).min(fitting).max(3);
+        let least = (*interior.start()).min(fitting).max(LEAST_AROUND);
         least..=(*interior.end()).max(needed)
     }
 }
@@ -197,8 +205,8 @@ mod tests {
         assert_eq!(excess(Kind::Fixed, &[(90.0, 4), (90.0, 1), (90.0, 1)], true), 1);
         // Eight curves leave no other choice.
         assert_eq!(excess(Kind::Fixed, &[(45.0, 1); 8], true), 0);
-        // A pointed tip has what fits.
-        assert_eq!(excess(Kind::Fixed, &[(79.0, 3)], true), 1);
+        // A pointed tip has what fits, and a needle's no more than there must be.
+        assert_eq!([3, 4].map(|n| excess(Kind::Fixed, &[(79.0, n)], true)), [0, 1]);
         assert_eq!(excess(Kind::Fixed, &[(150.0, 4)], true), 0);
     }
 
@@ -207,7 +215,7 @@ mod tests {
         // The corner of a cube; eight curves; a tip.
         assert_eq!(sectors(&[(90.0, 1); 3], true).allowed(35.0), [3, 6]);
         assert_eq!(sectors(&[(45.0, 1); 8], true).allowed(35.0), [8, 8]);
-        assert_eq!(sectors(&[(79.0, 3)], true).allowed(35.0), [1, 2]);
+        assert_eq!(sectors(&[(79.0, 3)], true).allowed(35.0), [3, 3]);
         assert_eq!(sectors(&[(30.0, 1), (180.0, 3)], true).allowed(35.0), [3, 5]);
         assert_eq!(sectors(&[(180.0, 3)], false).allowed(36.0), [2, 5]);
     }

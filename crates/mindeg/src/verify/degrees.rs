@@ -2,7 +2,8 @@
 //!
 //! The curves of a part that meet at a corner divide the triangles there into sectors. In a triangle without an angle
 //! below `a` degrees the angle at the corner is between `a` and 180 - 2a, so the number of triangles in a sector of angle
-//! T is between T / (180 - 2a) and T / a.
+//! T is between T / (180 - 2a) and T / a, and off the boundary there are three at least. At a needle's tip not even three such
+//! fit. There `a` is the minimum angle of the mesh: no mesh with as great a minimum angle has more triangles at the tip.
 
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
@@ -45,8 +46,14 @@ const SHARP: f64 = 40.0;
 const ROUNDING: f64 = 1e-9;
 
 impl Degrees {
-    /// `is_single`: whether the points of the mesh are those of the part in 32 bits.
-    pub(super) fn of(own: &Sides, part: &Sides, rules: &SurfaceRules, is_single: bool) -> Self {
+    /// `min_angle`: of the mesh, in degrees. `is_single`: whether the points of the mesh are those of the part in 32 bits.
+    pub(super) fn of(
+        own: &Sides,
+        part: &Sides,
+        rules: &SurfaceRules,
+        min_angle: f64,
+        is_single: bool,
+    ) -> Self {
         let mut on_boundary = vec![false; own.mesh.positions().len()];
         own.boundary.iter().flatten().for_each(|&v| on_boundary[v as usize] = true);
         let mut degrees = vec![0_u32; on_boundary.len()];
@@ -66,7 +73,7 @@ impl Degrees {
                 out_of_range.push(VertexDegree { vertex, degree, on_boundary });
             }
         }
-        let proven = proven(&out_of_range, own, part, rules, is_single);
+        let proven = proven(&out_of_range, [own, part], rules, min_angle, is_single);
         let is_proven = |v: &VertexDegree| {
             proven.binary_search_by_key(&v.vertex, |proven| proven.vertex).is_ok()
         };
@@ -103,9 +110,9 @@ fn wanted(rules: &SurfaceRules, on_boundary: bool) -> RangeInclusive<u32> {
 /// Those of some vertices whose degrees the corners of the part force.
 fn proven(
     out_of_range: &[VertexDegree],
-    own: &Sides,
-    part: &Sides,
+    [own, part]: [&Sides; 2],
     rules: &SurfaceRules,
+    min_angle: f64,
     is_single: bool,
 ) -> Vec<ProvenDegree> {
     let place = |sides: &Sides, v: u32| sides.place(v, is_single);
@@ -127,8 +134,10 @@ fn proven(
     for &VertexDegree { vertex, degree, on_boundary } in out_of_range {
         let sectors = corner_of.get(&vertex).and_then(|corner| of_part.remove(corner));
         let (Some(sectors), Some(found)) = (sectors, of_own.remove(&vertex)) else { continue };
-        let boundary = u32::from(on_boundary);
-        let allowed = allowed(&sectors, rules.least_angle).map(|count| count + boundary);
+        let is_needle = !on_boundary && sectors.len() == 1 && sectors[0] < 3.0 * rules.least_angle;
+        let least = if is_needle { rules.least_angle.min(min_angle) } else { rules.least_angle };
+        let allowed = allowed(&sectors, least)
+            .map(|count| if on_boundary { count + 1 } else { count.max(3) });
         let wanted = wanted(rules, on_boundary);
         let is_forced = allowed[1] < *wanted.start() || allowed[0] > *wanted.end();
         if is_forced && found.len() >= sectors.len() && (allowed[0]..=allowed[1]).contains(&degree)

@@ -93,7 +93,8 @@ pub fn surface(
     let mut defects = Vec::new();
     let inspection = Inspection::of(&own.mesh, &InspectionOptions::default());
     check_topology(&inspection, [own, part], is_single, &mut defects);
-    let degrees = Degrees::of(own, part, rules, is_single);
+    let min_angle = min_angle(own);
+    let degrees = Degrees::of(own, part, rules, min_angle.0, is_single);
     degrees.check(own, rules, &mut defects);
 
     let to_part = distance_bound(&own.corners, &part.corners, progress)?;
@@ -185,7 +186,7 @@ pub fn surface(
         boundary: degrees.boundary,
         out_of_range: degrees.out_of_range,
         proven: degrees.proven,
-        min_angle: min_angle(own),
+        min_angle,
         to_part,
         from_part,
         boundaries,
