@@ -101,6 +101,29 @@ fn the_kind_of_a_side_reaches_fort_14_with_and_without_interior_points() {
 }
 
 #[test]
+fn the_summary_in_json_is_that_of_the_mesh() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [source, ply, page] =
+        ["space.obj", "space.ply", "space.html"].map(|it| folder.path().join(it));
+    fs::write(&source, SPACE).expect("a file");
+    let inspected = mindeg(["inspect", text(&source), "--json"]).json();
+    for (command, output) in [("convert", &ply), ("view", &page)] {
+        let run = mindeg([command, text(&source), "-o", text(output), "--json", "-q"]);
+        assert_eq!((run.code, run.errors.as_str()), (Some(0), ""));
+        let summary = run.json();
+        assert_eq!(summary["file"], text(&source));
+        assert_eq!(summary["files"], serde_json::json!([text(output)]));
+        assert_eq!((&summary["vertices"], &summary["triangles"]), (&9.into(), &8.into()));
+        assert_eq!(summary["max_degree"], inspected["max_degree"]);
+        assert!(summary["min_angle"].as_f64() < summary["max_angle"].as_f64(), "{summary}");
+        assert_eq!(summary["dropped"], serde_json::json!([]));
+        let mut format = vec![command, text(&source), "-o", "-", "--json"];
+        format.extend((command == "convert").then_some(["--format", "obj"]).into_iter().flatten());
+        mindeg(format).refuses(&["or the summary of --json, not both"]);
+    }
+}
+
+#[test]
 fn values_at_vertices_that_no_output_has_are_told_by_each_command() {
     let folder = tempfile::tempdir().expect("a folder");
     let square = folder.path().join("square.off");

@@ -2,7 +2,9 @@
 
 use mindeg::beside::MeshBeside;
 use mindeg::exact::share_of;
-use mindeg::{FoundBy, Goal, Meshed};
+use mindeg::{FoundBy, Goal, Meshed, TriMesh};
+use mindeg_mesh::Triangles;
+use mindeg_mesh::quality::TriangleQuality;
 use serde::Serialize;
 
 use crate::names::{part_name, region_count, shown};
@@ -35,6 +37,49 @@ pub struct MeshAnswer {
     pub delaunay_min_angle: Option<f64>,
     /// Whether the corners ran clockwise.
     pub reversed: bool,
+}
+
+/// A mesh as it is, of any program; angles are in degrees.
+#[derive(Clone, Debug, Serialize)]
+pub struct ListedMesh {
+    /// The file that it is from; null where it is made of options.
+    pub file: Option<String>,
+    /// Vertices.
+    pub vertices: usize,
+    /// Triangles.
+    pub triangles: usize,
+    /// The most edges at a vertex.
+    pub max_degree: u32,
+    /// The minimum angle of all triangles; null without triangles.
+    pub min_angle: Option<f64>,
+    /// The maximum angle of all triangles; null without triangles.
+    pub max_angle: Option<f64>,
+    /// The kinds of values at vertices that the file has and the mesh lacks.
+    pub dropped: Vec<&'static str>,
+}
+
+impl ListedMesh {
+    /// The answer for a mesh. O(n).
+    #[must_use]
+    pub fn of(file: Option<String>, mesh: &TriMesh) -> Self {
+        let angles = |triangle: &[u32; 3]| {
+            let [a, b, c] = triangle.map(|vertex| mesh.positions()[vertex as usize]);
+            let quality = TriangleQuality::in_space(a, b, c);
+            [quality.min_angle, quality.max_angle]
+        };
+        let range =
+            |[least, greatest]: [f64; 2], [min, max]: [f64; 2]| [least.min(min), greatest.max(max)];
+        let range = mesh.triangles().iter().map(angles).reduce(range);
+        Self {
+            file,
+            vertices: mesh.positions().len(),
+            triangles: mesh.triangles().len(),
+            max_degree: mesh.max_degree(),
+            min_angle: range.map(|[least, _]| least),
+            max_angle: range.map(|[_, greatest]| greatest),
+            dropped: mesh.dropped().to_vec(),
+        }
+    }
 }
 
 impl MeshAnswer {

@@ -3,12 +3,13 @@
 use crate::args::ConvertArguments;
 use crate::failure::Failure;
 use crate::making::Making;
+use mindeg_answers::mesh::ListedMesh;
 use mindeg_files::with_boundary_lines;
 use mindeg_mesh::Triangles;
 
 pub(crate) fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
     let surface = &arguments.surface;
-    let mut making = Making::new(surface, &surface.output, arguments.quiet, false)?;
+    let mut making = Making::new(surface, &surface.output, arguments.quiet, arguments.json)?;
     let mesh = making.read(&arguments.file)?;
     making.tell_dropped([&mesh]);
     making.check(&mesh, mesh.triangle_count())?;
@@ -19,5 +20,6 @@ pub(crate) fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
         Some(bounded) if format.has_boundary() => bounded,
         _ => &mesh,
     })?;
-    made.say(String::new, || ())
+    let file = arguments.file.display().to_string();
+    made.say(String::new, || ListedMesh::of(Some(file), &mesh))
 }

@@ -195,10 +195,10 @@ impl Made {
 
 /// A summary and the files that were written.
 #[derive(Serialize)]
-struct WithFiles<T> {
+pub(crate) struct WithFiles<T> {
     #[serde(flatten)]
-    summary: T,
-    files: Vec<String>,
+    pub(crate) summary: T,
+    pub(crate) files: Vec<String>,
 }
 
 /// The line on the files that were written; `None` for standard output alone.

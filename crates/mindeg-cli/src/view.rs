@@ -6,12 +6,14 @@ use crate::browser::listed;
 use crate::domain::{Subject, from_options, in_file, name_in_text};
 use crate::failure::Failure;
 use crate::interrupt::{SESSION, clean_up_on_interrupt};
-use crate::making::wrote;
+use crate::making::{WithFiles, wrote};
 use crate::mesh::meshed;
 use crate::provenance::provenance;
+use crate::standard_output::print_json;
 use crate::terminal::say;
 use mindeg::{Domain, GoalKind, interior};
 use mindeg_answers::advice::Purpose;
+use mindeg_answers::mesh::ListedMesh;
 use mindeg_compare::write_view;
 use mindeg_files::{Outputs, Wanted, is_standard_output, write_to};
 use mindeg_mesh::TriMesh;
@@ -20,6 +22,11 @@ use std::path::Path;
 pub(crate) fn run(arguments: &ViewArguments) -> Result<(), Failure> {
     let output = &arguments.output;
     check_output(output)?;
+    if arguments.json && is_standard_output(output) {
+        return Err(Failure::input(
+            "standard output can take one page, or the summary of --json, not both",
+        ));
+    }
     clean_up_on_interrupt()?;
     let bar = Bar::new(arguments.quiet);
     let subject = match &arguments.file {
@@ -47,6 +54,11 @@ pub(crate) fn run(arguments: &ViewArguments) -> Result<(), Failure> {
     drop(bar);
     if !arguments.quiet && !is_standard_output(output) {
         say(&wrote(&[output.display().to_string()]).unwrap_or_default());
+    }
+    if arguments.json {
+        let file = arguments.file.as_ref().map(|path| path.display().to_string());
+        let files = vec![output.display().to_string()];
+        print_json(&WithFiles { summary: ListedMesh::of(file, &mesh), files })?;
     }
     Ok(())
 }

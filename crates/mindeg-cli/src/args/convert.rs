@@ -24,6 +24,10 @@ pub(crate) struct ConvertArguments {
     #[command(flatten)]
     pub(crate) surface: SurfaceArguments,
 
+    /// Print JSON: file, vertices, triangles, max_degree, min_angle, max_angle, dropped, files
+    #[arg(long, help_heading = "Messages")]
+    pub(crate) json: bool,
+
     /// Print no summary and show no progress on standard error
     #[arg(short, long, help_heading = "Messages")]
     pub(crate) quiet: bool,

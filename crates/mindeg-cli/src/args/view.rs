@@ -43,6 +43,10 @@ pub(crate) struct ViewArguments {
     #[arg(short, long, value_name = "FILE", help_heading = "Output")]
     pub(crate) output: PathBuf,
 
+    /// Print JSON: file, vertices, triangles, max_degree, min_angle, max_angle, dropped, files
+    #[arg(long, help_heading = "Messages")]
+    pub(crate) json: bool,
+
     /// Print no summary and show no progress on standard error
     #[arg(short, long, help_heading = "Messages")]
     pub(crate) quiet: bool,
