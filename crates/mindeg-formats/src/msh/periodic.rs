@@ -54,9 +54,10 @@ impl Links {
                     }
                 }
             };
-            for index in 0..count {
+            let mut places = matrix.as_flattened_mut().iter_mut();
+            for _ in 0..count {
                 let value = scanner.double("a value of a matrix")?;
-                if let Some(own) = matrix.as_flattened_mut().get_mut(index as usize) {
+                if let Some(own) = places.next() {
                     *own = value;
                 }
             }

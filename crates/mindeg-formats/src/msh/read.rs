@@ -309,10 +309,11 @@ impl Contents {
                 }
                 // Physical, then elementary; then perhaps partitions.
                 let mut known = [None; 2];
-                for index in 0..tags.max(0) as usize {
+                let mut places = known.iter_mut();
+                for _ in 0..tags {
                     let tag = scanner.int("a tag of an element")?;
-                    if let Some(known) = known.get_mut(index) {
-                        *known = Some(tag);
+                    if let Some(place) = places.next() {
+                        *place = Some(tag);
                     }
                 }
                 let physical = known[0].filter(|&tag| tag != 0).map(i64::saturating_abs);

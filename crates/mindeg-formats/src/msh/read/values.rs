@@ -41,9 +41,10 @@ impl Contents {
             scanner.double("a real")?;
         }
         let mut counts = [0, 1, 0];
-        for index in 0..scanner.size("the number of whole numbers")? {
+        let mut places = counts.iter_mut();
+        for _ in 0..scanner.size("the number of whole numbers")? {
             let count = scanner.size("a whole number")?;
-            if let Some(known) = counts.get_mut(index as usize) {
+            if let Some(known) = places.next() {
                 *known = count;
             }
         }
