@@ -5,7 +5,7 @@
 
 mod domains;
 
-use domains::{Holed, for_random};
+use domains::{Holed, Random, for_random};
 use mindeg_exact::check::refutation::refutes;
 use mindeg_exact::{
     COVER_STEPS, Cover, Decision, Element, Literal, LowerBound, Problem, Progress, Reached,
@@ -243,4 +243,77 @@ fn changed_proofs_of_what_is_possible_are_refused() {
         }
     });
     assert!(refused > 200, "{refused}");
+}
+
+/// One change of a proof, as a damaged or forged file may have it.
+fn change(proof: &mut Refutation, vertices: usize, random: &mut Random) {
+    let clauses = &mut proof.clauses;
+    let mut any = |count: usize| random.below(count.max(1) as u64) as usize;
+    let (clause, other) = (any(clauses.len()), any(clauses.len()));
+    let literal = any(clauses[clause].len());
+    let corners = [(); 3].map(|()| any(vertices) as u32);
+    let element = match any(2) {
+        0 => Element::Chord([corners[0], corners[1]]),
+        _ => Element::Triangle(corners),
+    };
+    let is_used = any(2) == 0;
+    match any(8) {
+        0 => drop(clauses.remove(clause)),
+        1 => clauses.swap(clause, other),
+        2 => clauses[clause].clear(),
+        3 => clauses.insert(clause, vec![Literal { face: 0, element, is_used }]),
+        _ if clauses[clause].is_empty() => {}
+        4 => drop(clauses[clause].remove(literal)),
+        5 => clauses[clause][literal].is_used ^= true,
+        6 => clauses[clause][literal].element = element,
+        _ => {
+            let moved = clauses[clause].remove(literal);
+            clauses[other].push(moved);
+        }
+    }
+}
+
+/// However a proof is changed, and whichever limits it is put to, it never refutes what some mesh keeps, not even limits of
+/// one chord more at one vertex than those that it was made for.
+#[test]
+fn no_change_makes_a_proof_of_a_false_claim() {
+    let (mut refused, mut held) = (0, 0);
+    for_random(26, 200, |domain, random| {
+        let all = domain.triangulations();
+        let all: Vec<_> = all.iter().map(|it| domain.measured(it).0).collect();
+        let n = domain.points.len();
+        let is_possible = |most: &[u32]| {
+            all.iter().any(|chords| chords.iter().zip(most).all(|(chords, most)| chords <= most))
+        };
+        let mesh = &all[random.below(all.len() as u64) as usize];
+        let possible: Vec<u32> =
+            mesh.iter().map(|chords| chords + u32::from(random.below(2) == 0)).collect();
+        let mut below = possible.clone();
+        let vertex = random.below(n as u64) as usize;
+        below[vertex] = below[vertex].saturating_sub(1 + random.below(2) as u32);
+        let (_, Some(proof)) = decide(domain, &domain.problem(), &below, 0.0) else { return };
+        let face = [domain.checked(0.0)];
+        for _ in 0..20 {
+            let mut changed = proof.clone();
+            for _ in 0..random.below(4) {
+                change(&mut changed, n, random);
+                if changed.clauses.is_empty() {
+                    changed.clauses.push(Vec::new());
+                }
+            }
+            assert!(!refutes(&face, &possible, &changed), "{domain:?}, {changed:?}");
+            // Other rows: a limit less at one vertex and more at another.
+            let mut others = possible.clone();
+            let [from, to] = [(); 2].map(|()| random.below(n as u64) as usize);
+            others[from] = others[from].saturating_sub(1);
+            others[to] += 1;
+            let is_refuted = refutes(&face, &others, &changed);
+            assert!(!is_refuted || !is_possible(&others), "{domain:?}, {changed:?}");
+            match refutes(&face, &below, &changed) {
+                true => held += 1,
+                false => refused += 1,
+            }
+        }
+    });
+    assert!(refused > 200 && held > 200, "{refused}, {held}");
 }

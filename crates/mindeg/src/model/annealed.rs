@@ -18,8 +18,8 @@ use super::joint::Joint;
 /// The most groups that are tried, from the largest down.
 const MOST_GROUPS: usize = 2;
 
-/// The flips that are tried by default: some seconds on one core.
-const TRIES: u64 = 1 << 28;
+/// The flips that are tried by default: some eight seconds on one core.
+const TRIES: u64 = 1 << 29;
 
 /// The most places of faces that are compared.
 const MOST_COMPARED: usize = 20_000_000;
