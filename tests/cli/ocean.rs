@@ -199,8 +199,7 @@ fn grids_of_other_programs_are_refused_with_a_way_in() {
     let path = |name: &str| folder.path().join(name).display().to_string();
     let gdal = "`gdal_translate -of AAIGrid";
     for (name, bytes, words) in [
-        ("gebco.nc", &b"\x89HDF\r\n\x1a\n\0"[..], gdal),
-        ("classic.nc", b"CDF\x01\0\0\0\0", gdal),
+        ("gebco.nc", &b"\x89HDF\r\n\x1a\n\0"[..], "`nccopy -k classic"),
         ("etopo.tif", b"II*\0\x08\0\0\0", gdal),
         ("depth.npy", b"\x93NUMPY\x01\0", "numpy.savez("),
     ] {
@@ -211,6 +210,10 @@ fn grids_of_other_programs_are_refused_with_a_way_in() {
             run.refuses(&[&format!("{}: it is a", path(name)), words, &path(name)]);
         }
     }
+    fs::write(path("cut.nc"), b"CDF\x01\0\0\0\0").expect("a file");
+    let cut = ["--depth", &path("cut.nc"), "-o", &path("x.14")];
+    mindeg([&["mesh", "--rectangle", "4x4", "--size", "1", "--interior"], &cut[..]].concat())
+        .refuses(&[&format!("{}: byte 8: the file ends within the header", path("cut.nc"))]);
 }
 
 #[test]

@@ -60,7 +60,7 @@ pub struct SizeBetween {
     pub triangles: Vec<[u32; 3]>,
 }
 
-/// Sizes in a file: an ESRI grid (.asc), an NPZ with `values`, `origin` and `spacing`, an MSH with node data, or a VTU with
+/// Sizes in a file: an ESRI grid (.asc), classic NetCDF, an NPZ with `values`, `origin` and `spacing`, an MSH with node data, or a VTU with
 /// point data
 #[derive(Debug, Clone, Default, PartialEq)]
 #[cfg_attr(feature = "json", derive(serde::Serialize, serde::Deserialize, schemars::JsonSchema))]

@@ -8,7 +8,12 @@ const FOREIGN: &[(&[&str], &str, &str)] = &[
         "`ogr2ogr outline.geojson FILE` writes its polygons as GeoJSON",
     ),
     (
-        &["nc", "tif", "tiff"],
+        &["nc"],
+        "a file in NetCDF",
+        "only grids for depths and sizes are read of it, in the classic format, which `nccopy -k classic FILE grid.nc` writes",
+    ),
+    (
+        &["tif", "tiff"],
         "a grid of a geographic program",
         "`gdal_translate -of AAIGrid FILE grid.asc` writes its values as a grid for depths and sizes",
     ),

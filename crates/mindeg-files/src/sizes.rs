@@ -10,7 +10,7 @@ use mindeg_formats::Field;
 use std::io;
 
 impl Session {
-    /// Reads sizes: an ESRI grid (`.asc`), an NPZ with `values`, `origin` and `spacing`, or a mesh with one number at each
+    /// Reads sizes: an ESRI grid (`.asc`), a grid in classic NetCDF, an NPZ with `values`, `origin` and `spacing`, or a mesh with one number at each
     /// vertex, MSH or VTU. Values that are no sizes, such as NaN, are left out with the triangles and cells at them. No
     /// output may replace the file from then on.
     ///
@@ -24,7 +24,7 @@ impl Session {
         sizes_of(&input.name(), &self.bytes(input, SIZES)?)
     }
 
-    /// Reads depths on a grid: an ESRI grid (`.asc`), or an NPZ with `values`, `origin` and `spacing`. No output may
+    /// Reads depths on a grid: an ESRI grid (`.asc`), a grid in classic NetCDF, or an NPZ with `values`, `origin` and `spacing`. No output may
     /// replace the file from then on.
     ///
     /// # Errors
@@ -44,7 +44,7 @@ impl Session {
                     .ok_or_else(|| wrong("no value is a finite number"))
             }
             Field::Mesh(..) => Err(wrong(
-                "it is a mesh; depths are read from a grid: an ESRI grid (.asc), or an NPZ",
+                "it is a mesh; depths are read from a grid: an ESRI grid (.asc), classic NetCDF, or an NPZ",
             )),
         }
     }
@@ -82,7 +82,8 @@ const SIZES: &str = "file of sizes";
 /// The field in a file's bytes.
 fn field_of(name: &str, bytes: &[u8]) -> Result<Field, FileError> {
     Field::read(bytes).map_err(|error| {
-        let foreign = foreign::extension_of(bytes);
+        // What breaks classic NetCDF is told as it is.
+        let foreign = foreign::extension_of(bytes).filter(|_| !bytes.starts_with(b"CDF"));
         let advice = foreign.and_then(|extension| foreign::advice(extension, name));
         FileError::wrong(format!("{name}: {}", advice.unwrap_or(error.to_string())))
     })

@@ -4,9 +4,10 @@ use glam::DVec2;
 use mindeg_mesh::TriMesh;
 
 use crate::format::Format;
+use crate::raster::Raster;
 use crate::scanner::Scanner;
 use crate::words::finite;
-use crate::{ReadError, msh, npz, vtu};
+use crate::{ReadError, msh, netcdf, npz, vtu};
 
 /// A number at each point of a grid or of a mesh.
 #[derive(Debug)]
@@ -17,22 +18,9 @@ pub enum Field {
     Mesh(Box<TriMesh>, Vec<f64>),
 }
 
-/// Values on a grid.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Raster {
-    /// The position of the first value.
-    pub origin: DVec2,
-    /// The distance of columns and of rows.
-    pub spacing: DVec2,
-    /// The number of values in a row.
-    pub columns: usize,
-    /// The values, row by row from the lowest y on; NaN where there is none.
-    pub values: Vec<f64>,
-}
-
 impl Field {
-    /// Reads an ESRI grid (`.asc`), an NPZ with `values`, `origin` and `spacing`, an MSH with `$NodeData`, or a VTU with
-    /// point data; the content tells which. Of several data the first with one number at each vertex counts, in a VTU
+    /// Reads an ESRI grid (`.asc`), a grid in classic NetCDF, an NPZ with `values`, `origin` and `spacing`, an MSH with
+    /// `$NodeData`, or a VTU with point data; the content tells which. Of several data the first with one number at each vertex counts, in a VTU
     /// by name.
     ///
     /// # Errors
@@ -52,6 +40,7 @@ impl Field {
     pub fn read(file: &[u8]) -> Result<Self, ReadError> {
         let of_mesh = |(mesh, values)| Self::Mesh(Box::new(mesh), values);
         match Format::of_content(file) {
+            Some(Format::Ugrid) => netcdf::read_raster(file).map(Self::Grid),
             Some(Format::Npz) => npz::read_raster(file).map(Self::Grid),
             Some(Format::Msh) => msh::read_values(file).map(of_mesh),
             Some(Format::Vtu) => vtu::read_values(file).map(of_mesh),
@@ -64,8 +53,8 @@ impl Field {
             }
             _ => Err(ReadError::place(
                 "",
-                "sizes are read from an ESRI grid (.asc), an NPZ with values, origin and spacing, an MSH with node data, \
-                 or a VTU with point data",
+                "sizes are read from an ESRI grid (.asc), classic NetCDF, an NPZ with values, origin and spacing, an MSH with \
+                 node data, or a VTU with point data",
             )),
         }
     }

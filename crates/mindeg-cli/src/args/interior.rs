@@ -25,7 +25,7 @@ pub(crate) struct InteriorArguments {
     #[arg(long, conflicts_with = "interior")]
     pub(crate) no_interior: bool,
 
-    /// Sizes between points: an ESRI grid (.asc), an NPZ with values, origin and spacing, an MSH with node data, or a
+    /// Sizes between points: an ESRI grid (.asc), classic NetCDF, an NPZ with values, origin and spacing, an MSH with node data, or a
     /// VTU with point data. May be repeated; the least size holds
     #[arg(long, value_name = "FILE")]
     pub(crate) sizes: Vec<PathBuf>,

@@ -3,7 +3,7 @@
 use super::array::{Array, texts};
 use super::zip::{archive, entry};
 use crate::ReadError;
-use crate::field::Raster;
+use crate::raster::Raster;
 use crate::runs::{Runs, Segments};
 use glam::{DVec2, DVec3};
 use mindeg_mesh::{NamedVertex, TriMesh};
