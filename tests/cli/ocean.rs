@@ -323,3 +323,28 @@ fn depths_that_a_format_leaves_out_are_told() {
         );
     }
 }
+
+/// Two seas with land between them.
+const SEAS: &[u8] = br#"{"type": "MultiPolygon", "coordinates": [
+  [[[0, 0], [4, 0], [4, 4], [0, 4], [0, 0]]], [[[7, 0], [11, 0], [11, 4], [7, 4], [7, 0]]]]}"#;
+
+#[test]
+fn seas_of_several_parts_are_open_on_the_box_around_all() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("seas.14");
+    let path = out.display().to_string();
+    let mesh = ["mesh", "-", "--size", "1", "--interior", "-o", &path];
+    mindeg_reading([&mesh[..], &["--open", "box"]].concat(), SEAS).text();
+    let grid = fort14(&out);
+    // Each sea has one shore, towards the other one.
+    let places =
+        |nodes: &[usize]| -> Vec<f64> { nodes.iter().map(|node| grid.points[*node][0]).collect() };
+    let shores: Vec<Vec<f64>> = grid.closed.iter().map(|(_, nodes)| places(nodes)).collect();
+    assert_eq!((grid.open.len(), shores.len()), (2, 2));
+    assert!(shores.iter().all(|shore| shore.iter().all(|x| [4.0, 7.0].contains(x))), "{shores:?}");
+    let between = ["--open-between", "11,0", "11,4"];
+    mindeg_reading([&mesh[..], &between].concat(), SEAS).text();
+    let grid = fort14(&out);
+    assert_eq!(grid.open.len(), 1);
+    assert!(grid.open[0].iter().all(|node| grid.points[*node][0] == 11.0));
+}

@@ -55,16 +55,68 @@ impl Domain {
         parts: &[OpenWater],
         least_length: f64,
     ) -> Result<Self, DomainError> {
-        let rings = self.rings();
-        let mut is_open = vec![false; rings.vertex_count() as usize];
-        let mut is_of_box = is_open.clone();
+        let mut new = Self::all_with_open_water(std::slice::from_ref(self), parts, least_length)?;
+        Ok(new.swap_remove(0))
+    }
+
+    /// [`with_open_water`](Self::with_open_water) of domains beside each other, such as seas that land parts: the box is that around all, sides of a
+    /// name are open wherever they are, and the stretch between two points is on the one that is nearest to them. The
+    /// others have land and islands alone.
+    ///
+    /// # Errors
+    ///
+    /// A part that no domain has; those of [`with_open_water`](Self::with_open_water).
+    pub fn all_with_open_water(
+        domains: &[Self],
+        parts: &[OpenWater],
+        least_length: f64,
+    ) -> Result<Vec<Self>, DomainError> {
+        let around = |domain: &Self| {
+            let bounds = domain.placement().bounds();
+            [bounds.min, bounds.max]
+        };
+        let nothing = [DVec2::INFINITY, DVec2::NEG_INFINITY];
+        let all = domains
+            .iter()
+            .map(around)
+            .fold(nothing, |[low, high], [min, max]| [low.min(min), high.max(max)]);
+        let mut marks: Vec<Vec<[bool; 2]>> = domains
+            .iter()
+            .map(|domain| vec![[false; 2]; domain.rings().vertex_count() as usize])
+            .collect();
         for part in parts {
-            let edges = self.edges_of(part)?;
-            for edge in edges {
-                is_open[edge as usize] = true;
-                is_of_box[edge as usize] |= *part == OpenWater::Box;
+            let nearest = match part {
+                OpenWater::Between(ends) => {
+                    let distances = domains.iter().map(|domain| domain.distance_of(ends));
+                    distances.enumerate().min_by(|a, b| a.1.total_cmp(&b.1)).map(|it| it.0)
+                }
+                _ => None,
+            };
+            let mut is_anywhere = false;
+            for (index, (domain, marks)) in domains.iter().zip(&mut marks).enumerate() {
+                if nearest.is_some_and(|nearest| nearest != index) {
+                    continue;
+                }
+                for edge in domain.edges_of(part, all) {
+                    is_anywhere = true;
+                    let [is_open, is_of_box] = &mut marks[edge as usize];
+                    *is_open = true;
+                    *is_of_box |= *part == OpenWater::Box;
+                }
+            }
+            if !is_anywhere {
+                return Err(nowhere(part, domains));
             }
         }
+        let opened = |(domain, marks): (&Self, Vec<[bool; 2]>)| domain.opened(marks, least_length);
+        domains.iter().zip(marks).map(opened).collect()
+    }
+
+    /// The domain with the marked edges open, and which of them are so by the box.
+    fn opened(&self, marks: Vec<[bool; 2]>, least_length: f64) -> Result<Self, DomainError> {
+        let rings = self.rings();
+        let mut is_open: Vec<bool> = marks.iter().map(|mark| mark[0]).collect();
+        let is_of_box: Vec<bool> = marks.iter().map(|mark| mark[1]).collect();
         self.close_short(&mut is_open, least_length);
         let mut new: Vec<Ring> = Vec::new();
         let mut is_split = false;
@@ -146,8 +198,21 @@ impl Domain {
         })
     }
 
-    /// The first vertices of the edges of a part.
-    fn edges_of(&self, part: &OpenWater) -> Result<Vec<u32>, DomainError> {
+    /// The vertex of the outer ring that is nearest to a point, counted along it, and how far that is, squared.
+    fn nearest(&self, outer: &[u32], point: DVec2) -> Option<(usize, f64)> {
+        let point = self.projection.map_or(point, |projection| projection.to_plane(point));
+        let distance = |vertex: &u32| self.placement().point(*vertex).distance_squared(point);
+        outer.iter().map(distance).enumerate().min_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
+    /// How far the boundary is from two points together, squared.
+    fn distance_of(&self, ends: &[DVec2; 2]) -> f64 {
+        let outer: Vec<u32> = self.rings().rings().next().into_iter().flatten().collect();
+        ends.iter().filter_map(|end| self.nearest(&outer, *end)).map(|it| it.1).sum()
+    }
+
+    /// The first vertices of the edges of a part, if there are any; the box is given.
+    fn edges_of(&self, part: &OpenWater, all: [DVec2; 2]) -> Vec<u32> {
         let rings = self.rings();
         let of_sides = |is_wanted: &dyn Fn(usize) -> bool| -> Vec<u32> {
             let sides = (0..rings.side_count()).filter(|side| is_wanted(*side));
@@ -155,59 +220,29 @@ impl Domain {
                 .flat_map(|side| rings.corner(side)..rings.corner(side) + rings.intervals(side))
                 .collect()
         };
-        let wrong = |message: String| Err(Place::default().error(message));
         let outer: Vec<u32> = of_sides(&|side| rings.in_ring(side).ring == 0);
-        let edges = match part {
+        match part {
             OpenWater::Box if self.projection.is_some() => of_sides(&|side| {
                 let is_name = |name: &str| BOX_SIDES.contains(&name);
                 rings.in_ring(side).ring == 0
                     && self.sides()[side].name.as_deref().is_some_and(is_name)
             }),
-            OpenWater::Box => self.on_box(&outer),
+            OpenWater::Box => self.on_box(&outer, all),
             OpenWater::Side(name) => of_sides(&|side| self.side_name(side) == *name),
             OpenWater::Between(ends) => {
-                let point = |vertex: u32| self.placement().point(vertex);
-                let [from, to] = ends.map(|end| {
-                    let end = self.projection.map_or(end, |projection| projection.to_plane(end));
-                    let distance = |vertex: &u32| point(*vertex).distance_squared(end);
-                    (0..outer.len())
-                        .min_by(|&a, &b| distance(&outer[a]).total_cmp(&distance(&outer[b])))
-                });
-                let (Some(from), Some(to)) = (from, to) else { return Ok(Vec::new()) };
+                let [from, to] = ends.map(|end| self.nearest(&outer, end));
+                let (Some((from, _)), Some((to, _))) = (from, to) else { return Vec::new() };
                 let count = outer.len();
                 let steps = (to + count - from) % count;
                 (0..steps).map(|step| outer[(from + step) % count]).collect()
             }
-        };
-        if !edges.is_empty() {
-            return Ok(edges);
-        }
-        match part {
-            OpenWater::Box => wrong(
-                "no side is on the box around the domain: name one, or give two points between which the boundary is \
-                 open"
-                    .to_owned(),
-            ),
-            OpenWater::Between([a, b]) => {
-                wrong(format!("({}, {}) and ({}, {}) are nearest to one point of the boundary", a.x, a.y, b.x, b.y))
-            }
-            OpenWater::Side(name) => {
-                let mut names: Vec<String> =
-                    (0..rings.side_count()).map(|side| self.side_name(side)).collect();
-                names.dedup();
-                let more = if names.len() > 10 { ", …" } else { "" };
-                names.truncate(10);
-                wrong(format!("no side is called {name:?}; there are {}{more}", names.join(", ")))
-            }
         }
     }
 
-    /// The edges of the outer ring on the box around it.
-    fn on_box(&self, outer: &[u32]) -> Vec<u32> {
+    /// The edges of the outer ring on a box.
+    fn on_box(&self, outer: &[u32], [least, most]: [DVec2; 2]) -> Vec<u32> {
         let points: Vec<DVec2> =
             outer.iter().map(|vertex| self.placement().point(*vertex)).collect();
-        let least = points.iter().copied().fold(DVec2::INFINITY, DVec2::min);
-        let most = points.iter().copied().fold(DVec2::NEG_INFINITY, DVec2::max);
         let near = (most - least).max_element() * NEAR;
         let sides: [fn(DVec2, [DVec2; 2]) -> f64; 4] = [
             |point, box_| point.y - box_[0].y,
@@ -223,6 +258,29 @@ impl Domain {
         };
         edges.filter(|(_, ends)| is_on(*ends)).map(|(vertex, _)| *vertex).collect()
     }
+}
+
+/// The refusal of a part that no domain has.
+fn nowhere(part: &OpenWater, domains: &[Domain]) -> DomainError {
+    let message = match part {
+        OpenWater::Box => "no side is on the box around the domain: name one, or give two points between which the boundary is \
+             open"
+            .to_owned(),
+        OpenWater::Between([a, b]) => {
+            format!("({}, {}) and ({}, {}) are nearest to one point of the boundary", a.x, a.y, b.x, b.y)
+        }
+        OpenWater::Side(name) => {
+            let of = |domain: &Domain| -> Vec<String> {
+                (0..domain.rings().side_count()).map(|side| domain.side_name(side)).collect()
+            };
+            let mut names: Vec<String> = domains.iter().flat_map(of).collect();
+            names.dedup();
+            let more = if names.len() > 10 { ", …" } else { "" };
+            names.truncate(10);
+            format!("no side is called {name:?}; there are {}{more}", names.join(", "))
+        }
+    };
+    Place::default().error(message)
 }
 
 /// Turns a ring so that it begins where its kind changes: no stretch is in two parts.
@@ -309,6 +367,31 @@ mod tests {
         let found = domain.with_open_water(&[OpenWater::Side("strait".to_owned())], 0.0).unwrap();
         assert!(sides(&found).contains(&told("strait", open, 2)), "{:?}", sides(&found));
         assert_eq!(sides(&found).iter().filter(|side| side.1 == open).count(), 1);
+    }
+
+    #[test]
+    fn several_domains_are_open_on_the_box_around_all() {
+        let square = |x: f64, y: f64| {
+            let ring = [[x, y], [x + 1.0, y], [x + 1.0, y + 1.0], [x, y + 1.0]];
+            Domain::from_rings([ring]).unwrap()
+        };
+        // The one in the middle is on no side of the box around all.
+        let domains = [square(0.0, 0.0), square(2.0, 2.0), square(4.0, 4.0)];
+        let open = |parts: &[OpenWater]| -> Vec<u32> {
+            let found = Domain::all_with_open_water(&domains, parts, 0.0).unwrap();
+            let of = |domain: &Domain| -> u32 {
+                let sides = sides(domain).into_iter();
+                sides.filter(|side| side.1 == LineKind::Open).map(|side| side.2).sum()
+            };
+            assert!(found.iter().flat_map(sides).all(|side| ["open", "land"].contains(&&*side.0)));
+            found.iter().map(of).collect()
+        };
+        assert_eq!(open(&[OpenWater::Box]), [2, 0, 2]);
+        let between = OpenWater::Between([[2.1, 1.9], [3.1, 1.9]].map(DVec2::from));
+        assert_eq!(open(&[between]), [0, 1, 0]);
+        let nix = [OpenWater::Side("nix".to_owned())];
+        let error = Domain::all_with_open_water(&domains, &nix, 0.0).unwrap_err().to_string();
+        assert!(error.contains("no side is called \"nix\""), "{error}");
     }
 
     #[test]

@@ -38,17 +38,15 @@ impl BoundaryKinds {
         )))
     }
 
-    /// Gives the only one of some domains these kinds of sides.
-    pub(crate) fn tell(&self, domains: &mut [Domain]) -> Result<(), Failure> {
-        match domains {
-            [domain] => *domain = self.told(domain.clone())?,
-            several => self.refuse(&format!("{} that share no edge", several.len()))?,
-        }
-        Ok(())
-    }
-
     /// The domain with these kinds of sides.
     pub(crate) fn told(&self, domain: Domain) -> Result<Domain, Failure> {
+        let mut domains = vec![domain];
+        self.tell(&mut domains)?;
+        Ok(domains.swap_remove(0))
+    }
+
+    /// Gives domains beside each other these kinds of sides.
+    pub(crate) fn tell(&self, domains: &mut Vec<Domain>) -> Result<(), Failure> {
         let part = |name: &String| match &**name {
             "box" => OpenWater::Box,
             name => OpenWater::Side(name.to_owned()),
@@ -65,13 +63,13 @@ impl BoundaryKinds {
                 let problem = "--least-opening is for open water: add --open or --open-between";
                 return Err(Failure::input(problem));
             }
-            return Ok(domain);
+            return Ok(());
         }
         let option = if self.open.is_empty() { "--open-between" } else { "--open" };
         let least = self.least_opening.map_or(0.0, |least| least.value);
-        domain
-            .with_open_water(&parts, least)
-            .map_err(|error| Failure::Input(format!("{option}: {error}")))
+        *domains = Domain::all_with_open_water(domains, &parts, least)
+            .map_err(|error| Failure::Input(format!("{option}: {error}")))?;
+        Ok(())
     }
 }
 
