@@ -192,6 +192,26 @@ test("sides get names and kinds, and a map's regions names and sizes", async () 
   await page.context().close();
 });
 
+test("a hole of a surface is filled with points inside, and the file has them", async () => {
+  const page = await openNew();
+  // A pyramid over a square of 24 points, without its floor.
+  const rim = [0, 1, 2, 3].flatMap((side) => [0, 1, 2, 3, 4, 5].map((at) => [[at, 0], [6, at], [6 - at, 6], [0, 6 - at]][side]));
+  const pyramid = ["v 3 3 3", ...rim.map(([x, y]) => `v ${x} ${y} 0`), ...rim.map((_, at) => `f 1 ${at + 2} ${((at + 1) % 24) + 2}`), ""].join("\n");
+  await page.locator("#file").setInputFiles({ name: "pyramid.obj", mimeType: "text/plain", buffer: Buffer.from(pyramid) });
+  await page.waitForFunction(() => document.querySelectorAll("#solid-meshes .stage[data-drawn]").length === 1);
+  await page.getByLabel("with points inside").check();
+  await page.locator("#solid-fill").click();
+  await page.waitForFunction(() => document.querySelectorAll("#solid-meshes h3")[1]?.textContent === "Filled");
+  const triangles = Number((await page.locator("#solid-meshes .figures").nth(1).textContent()).match(/(\d+) triangles/)[1]);
+  assert.ok(triangles > 70, `${triangles} triangles`);
+  // What is chosen afterwards does not change what is downloaded.
+  await page.getByLabel("with points inside").uncheck();
+  const { path } = await downloaded(page, "#solid-download");
+  assert.equal(JSON.parse(mindeg("inspect", path, "--json").stdout).faces, triangles);
+  await page.screenshot({ path: join(work, "solid-inside.png") });
+  await page.context().close();
+});
+
 /** Opens a cube without its lid and floor. */
 async function openTube(page) {
   const tube = ["v 0 0 0", "v 1 0 0", "v 1 1 0", "v 0 1 0", "v 0 0 1", "v 1 0 1", "v 1 1 1", "v 0 1 1",

@@ -30,12 +30,22 @@ export function endSolid() {
   shownNow = [];
 }
 
+/** The change that is shown, with what was asked besides; a download is of it. */
+let made = null;
+
 const loopsChosen = () => [...element("solid-loops").querySelectorAll("input:checked")].map(({ value }) => value).join(",");
+
+/** What the page asks besides a change. */
+function wished(change) {
+  const size = element("solid-size").valueAsNumber;
+  if (change === "remesh") return size > 0 ? { size } : {};
+  if (change === "fill") return { loops: loopsChosen(), interior: element("solid-inside").checked };
+  return change === "bridge" ? { loops: loopsChosen() } : {};
+}
 
 /** Shows the surface before and after a change. */
 async function show(change) {
-  const size = element("solid-size").valueAsNumber;
-  const more = { ...(change === "remesh" && size > 0 ? { size } : {}), ...(["fill", "bridge"].includes(change) ? { loops: loopsChosen() } : {}) };
+  const more = wished(change);
   element("solid-words").textContent = "Working …";
   try {
     const found = await server.solid(file, change, more);
@@ -48,7 +58,7 @@ async function show(change) {
     element("solid-meshes").replaceChildren(...shownNow.map(({ figure }) => figure));
     for (const { draw } of shownNow) draw();
     element("solid-words").textContent = found.words;
-    element("solid").dataset.change = change;
+    made = { change, more };
     element("solid-download").hidden = change === "nothing";
   } catch (error) {
     element("solid-words").textContent = "";
@@ -101,7 +111,7 @@ function listLoops(loops) {
       label.append(box, ` ${words}`);
       return label;
     }));
-  element("solid-fill").disabled = !loops.length;
+  element("solid-fill").disabled = element("solid-inside").disabled = !loops.length;
   element("solid-bridge").disabled = loops.length < 2;
 }
 
@@ -110,10 +120,8 @@ export function startSolid(hand) {
   for (const change of ["remesh", "fill", "bridge"]) element(`solid-${change}`).addEventListener("click", () => show(change));
   element("solid-end").addEventListener("click", () => location.reload());
   element("solid-download").addEventListener("click", async () => {
-    const change = element("solid").dataset.change;
-    const size = element("solid-size").valueAsNumber;
     try {
-      const { blob, name } = await server.solidFile(file, change, element("solid-format").value, { loops: loopsChosen(), ...(size > 0 ? { size } : {}) });
+      const { blob, name } = await server.solidFile(file, made.change, element("solid-format").value, made.more);
       hand(blob, name ?? "surface.obj");
     } catch (error) {
       showTrouble(error.message);

@@ -46,6 +46,9 @@ pub(crate) struct Asked {
     change: Change,
     /// The edge length of a surface meshed anew.
     size: Option<f64>,
+    /// Whether holes are filled with points inside.
+    #[serde(default)]
+    interior: bool,
     /// The indices of the loops to fill or to join, with commas between; all without it.
     #[serde(default)]
     loops: String,
@@ -200,6 +203,7 @@ fn changed(
         Change::Fill => {
             let options = FillOptions {
                 only: (!chosen.is_empty()).then_some(chosen),
+                interior: asked.interior,
                 ..FillOptions::default()
             };
             let result =
@@ -237,7 +241,8 @@ mod tests {
 
     fn asked(change: Change, loops: &str) -> Asked {
         let name = "tube.obj".to_owned();
-        Asked { name, change, size: None, loops: loops.to_owned(), format: "obj".to_owned() }
+        let (loops, format) = (loops.to_owned(), "obj".to_owned());
+        Asked { name, change, size: None, interior: false, loops, format }
     }
 
     #[test]
@@ -253,6 +258,27 @@ mod tests {
         let file = file(&asked(Change::Fill, ""), bytes, Progress::NONE).unwrap();
         assert_eq!(file.name, "tube-filled.obj");
         assert!(file.bytes.starts_with(b"#") || !file.bytes.is_empty());
+    }
+
+    #[test]
+    fn a_hole_is_filled_with_points_inside() {
+        // A pyramid over a square of 24 points, without its floor.
+        let mut cone = "v 3 3 3\n".to_owned();
+        for step in 0..24 {
+            let [x, y] = match (step / 6, step % 6) {
+                (0, along) => [along, 0],
+                (1, along) => [6, along],
+                (2, along) => [6 - along, 6],
+                (_, along) => [0, 6 - along],
+            };
+            cone += &format!("v {x} {y} 0\nf 1 {} {}\n", step + 2, 2 + (step + 1) % 24);
+        }
+        let filled = |interior| {
+            let asked = Asked { interior, ..asked(Change::Fill, "") };
+            shown(&asked, cone.as_bytes(), Progress::NONE).unwrap()
+        };
+        assert_eq!(filled(false).vertices, 25);
+        assert!(filled(true).vertices > 40 && filled(true).loops.is_empty());
     }
 
     #[test]
