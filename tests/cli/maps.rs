@@ -138,6 +138,21 @@ fn lines_that_cross_are_mended_by_a_repair() {
         .refuses(&["--snap is for outlines"]);
 }
 
+/// Two polygons that overlap are repaired together by both commands; a mesh of them as they were is none of the map.
+#[test]
+fn a_mesh_of_polygons_that_were_repaired_together_is_verified() {
+    let folder = tempdir().expect("a folder");
+    let at = |name: &str| folder.path().join(name);
+    let (file, mesh) = (at("two.wkt"), at("two.obj"));
+    let polygons =
+        "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))\nPOLYGON ((1.9 0, 4 0, 4 2, 1.9 2, 1.9 0))\n";
+    fs::write(&file, polygons).expect("a file");
+    mindeg(["mesh", text(&file), "--repair", "--interior", "-q", "-o", text(&mesh)]).text();
+    let verified = mindeg(["verify", text(&mesh), text(&file), "--repair", "--json"]).json();
+    assert_eq!(verified["valid"], true, "{verified}");
+    mindeg(["verify", text(&mesh), text(&file), "--json"]).refuses(&["--repair mends such places"]);
+}
+
 /// Eight states with islands: each part is verified against its domain.
 #[test]
 fn a_mesh_of_several_parts_is_verified() {

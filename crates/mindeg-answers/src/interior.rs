@@ -1,11 +1,10 @@
 //! The properties of a mesh with interior points.
 
 use crate::numbers::{four_digits, percent, steady_angle};
+use crate::proven::{CertifiedAnswer, NAMED, TogetherAnswer, certified, together};
 use crate::sizes::{CoarseAnswer, SizeAnswer};
 use mindeg::Interior;
-use mindeg::interior::{
-    CertifiedVertex, CornerTradeOff, InteriorMesh, InteriorReport, LocalShares, Violation,
-};
+use mindeg::interior::{CornerTradeOff, InteriorMesh, InteriorReport, LocalShares, Violation};
 use serde::Serialize;
 use std::cmp::Ordering;
 use std::ops::RangeInclusive;
@@ -14,9 +13,6 @@ use std::ops::RangeInclusive;
 const MOST_SOUGHT: f64 = 45.0;
 /// The share of the limit that another search can be asked for.
 const ALL_BUT: f64 = 0.95;
-
-/// How many violations a text names.
-const NAMED: usize = 5;
 
 /// The results of a mesh with interior points; angles are in degrees.
 #[derive(Clone, Debug, Serialize)]
@@ -54,6 +50,8 @@ pub struct InteriorAnswer {
     pub violations: Vec<DegreeViolation>,
     /// Of these vertices, the ones that are in every mesh, with the edges that prove it.
     pub certified: Vec<CertifiedAnswer>,
+    /// Groups with others of these vertices, which no mesh brings nearer to their degree limits unless an angle there is smaller.
+    pub together: Vec<TogetherAnswer>,
     /// The greatest ratio of the areas of two triangles with a common edge.
     pub area_ratio: f64,
     /// The 99th percentile of the square root of that ratio.
@@ -142,30 +140,6 @@ pub struct DegreeViolation {
     on_boundary: bool,
 }
 
-/// A vertex at which so many edges meet that stay, of the boundary and of lines, that no mesh keeps its degree limit.
-#[derive(Clone, Debug, Serialize)]
-pub struct CertifiedAnswer {
-    vertex: u32,
-    position: [f64; 2],
-    /// The other ends of the edges, counter-clockwise.
-    edges: Vec<u32>,
-    degree_limit: u32,
-    /// The least degree that it has in any mesh.
-    least_degree: u32,
-}
-
-impl From<&CertifiedVertex> for CertifiedAnswer {
-    fn from(certified: &CertifiedVertex) -> Self {
-        Self {
-            vertex: certified.vertex,
-            position: certified.at.to_array(),
-            edges: certified.edges.clone(),
-            degree_limit: certified.degree_limit,
-            least_degree: certified.least_degree,
-        }
-    }
-}
-
 impl From<&InteriorReport> for InteriorAnswer {
     fn from(report: &InteriorReport) -> Self {
         let ends = |range: &RangeInclusive<u32>| [*range.start(), *range.end()];
@@ -195,6 +169,7 @@ impl From<&InteriorReport> for InteriorAnswer {
             boundary_degree,
             violations: report.violations.iter().map(violation).collect(),
             certified: report.certified.iter().map(CertifiedAnswer::from).collect(),
+            together: report.together.iter().map(TogetherAnswer::from).collect(),
             area_ratio: report.area_ratio,
             grading_p99: report.grading_p99,
             sizes: report.sizes.as_ref().map(SizeAnswer::from),
@@ -332,34 +307,8 @@ pub fn corners(report: &InteriorReport) -> Option<String> {
 #[must_use]
 pub fn violations(report: &InteriorReport) -> Option<String> {
     let text = named(report.violations.iter())?;
-    Some(match certified(report) {
-        Some(certified) => format!("{text}. {certified}"),
-        None => text,
-    })
-}
-
-/// The vertices whose degree limit no mesh keeps, if there are any.
-fn certified(report: &InteriorReport) -> Option<String> {
-    let place = |certified: &CertifiedVertex| {
-        let CertifiedVertex { vertex, at, edges, degree_limit, least_degree } = certified;
-        let [x, y] = at.to_array().map(four_digits);
-        format!(
-            "vertex {vertex} at ({x}, {y}), where {} edges meet that stay, has {least_degree} or more (limit \
-             {degree_limit})",
-            edges.len()
-        )
-    };
-    let mut places: Vec<String> = report.certified.iter().map(place).collect();
-    let limits = match places.len() {
-        0 => return None,
-        1 => "the degree limit of 1 vertex".to_owned(),
-        count => format!("the degree limits of {count} vertices"),
-    };
-    if places.len() > NAMED {
-        places.truncate(NAMED);
-        places.push("…".to_owned());
-    }
-    Some(format!("No mesh keeps {limits}: {}", places.join(", ")))
+    let proofs = certified(report).into_iter().chain(together(report));
+    Some(proofs.fold(text, |text, proof| format!("{text}. {proof}")))
 }
 
 /// The degrees that are demanded and not reached, in words: those wanted, and at the boundary those that the
@@ -398,6 +347,7 @@ fn named<'a>(violations: impl Iterator<Item = &'a Violation>) -> Option<String> 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use mindeg::interior::TogetherBound;
     use mindeg::{Domain, Progress, interior};
 
     fn report(json: &str) -> InteriorReport {
@@ -441,6 +391,26 @@ mod tests {
         let json = serde_json::to_value(InteriorAnswer::from(&report)).unwrap();
         assert_eq!(json["certified"][0]["least_degree"], 9);
         assert_eq!(json["certified"][0]["edges"].as_array().unwrap().len(), 9);
+    }
+
+    #[test]
+    fn degrees_that_exclude_each_other_are_told_with_the_angles() {
+        let mut report = report(r#"{"rectangle": {"width": 4, "height": 4}, "size": 1}"#);
+        let at = [1.0, 2.0].into();
+        report.violations = vec![Violation { vertex: 3, at, degree: 8, is_boundary: false }];
+        let angles = vec![(3, 10.0), (4, 12.0)];
+        report.together =
+            vec![TogetherBound { vertices: vec![3, 4], at, more: 1, share: 0.5, angles }];
+        let text = violations(&report).unwrap();
+        let proof = ". No mesh with so much of the angles there has fewer edges above the limits: \
+                     1 at vertices 3 and 4 at (1.000, 2.000) (with 50%)";
+        assert!(text.ends_with(proof), "{text}");
+        let json = serde_json::to_value(InteriorAnswer::from(&report)).unwrap();
+        assert_eq!(json["together"][0]["angles"][1]["min_angle"], 12.0);
+        assert_eq!(
+            (&json["together"][0]["more"], &json["together"][0]["share"]),
+            (&1.into(), &0.5.into())
+        );
     }
 
     #[test]

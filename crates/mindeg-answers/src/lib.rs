@@ -34,6 +34,7 @@ pub mod names;
 pub mod numbers;
 pub mod preset;
 pub mod proof;
+pub mod proven;
 pub mod remesh;
 pub mod sizes;
 pub mod stitch;

@@ -38,6 +38,12 @@ pub struct VerifyAnswer {
 
 /// The figures of a mesh that is a triangulation; angles in degrees.
 #[derive(Clone, Debug, Serialize)]
+struct TogetherVertex {
+    vertex: u32,
+    share: f64,
+}
+
+#[derive(Clone, Debug, Serialize)]
 struct Found {
     /// "xy", "floor" or "xz".
     plane: &'static str,
@@ -56,6 +62,8 @@ struct Found {
     out_of_range: Vec<u32>,
     /// Of these vertices, the ones where the lines alone are too many.
     certified: Vec<u32>,
+    /// Others that no mesh with this share of the angles there brings nearer to their limits.
+    together: Vec<TogetherVertex>,
     /// "yes", "no" or "unknown".
     optimal: &'static str,
     proof: Option<Checked>,
@@ -147,10 +155,16 @@ impl VerifyAnswer {
                 0 => String::new(),
                 count => format!("; at {} of them no mesh keeps it, checked", whole(count)),
             };
+            let together = match found.together.len() {
+                0 => String::new(),
+                count => {
+                    format!("; at {} no mesh with such angles does better, checked", whole(count))
+                }
+            };
             let count = whole(found.out_of_range.len());
             row(
                 "degrees inside",
-                format!("{count} out of range, the first at vertex {first}{certified}"),
+                format!("{count} out of range, the first at vertex {first}{certified}{together}"),
             );
         }
         row(
@@ -228,6 +242,10 @@ impl Found {
         }
         let limit = angle_limit(verified, domain, progress);
         let boundary_vertices = domain.rings().vertex_count() as usize;
+        let together = |&(point, share): &(u32, f64)| TogetherVertex {
+            vertex: verified.vertex_of[point as usize],
+            share,
+        };
         let vertices = |points: &[u32]| {
             points.iter().map(|point| verified.vertex_of[*point as usize]).collect::<Vec<_>>()
         };
@@ -249,6 +267,7 @@ impl Found {
             max_degree_vertex: verified.vertex_of[highest],
             out_of_range: vertices(&verified.out_of_range),
             certified: vertices(&verified.certified),
+            together: verified.together.iter().map(together).collect(),
             optimal,
             proof,
             reason,

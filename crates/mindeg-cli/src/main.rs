@@ -79,6 +79,10 @@ fn main() -> ExitCode {
     if let Command::Mesh(mesh) = &mut arguments.command {
         mesh.domain.options.outline.together = mesh::are_one_map(mesh);
     }
+    if let Command::Verify(verify) = &mut arguments.command {
+        // As the mesh was made.
+        verify.options.outline.together = verify.options.outline.feature.is_none();
+    }
     match run(&arguments.command) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => failure.report(),

@@ -18,13 +18,22 @@ const MOST_BOXES: usize = 600;
 /// An edge limit counts if it is less than this share of the limits at the edge's ends.
 const TIGHTER: f64 = 0.995;
 
-/// An edge with the sectors on its left.
-struct Place {
+/// An edge with the sectors on one side of it.
+pub(crate) struct Place {
     /// The sectors' angles at the edge's ends.
-    angles: [f64; 2],
+    pub(crate) angles: [f64; 2],
     /// The edge's length, then those of the next edges at its ends.
-    length: f64,
-    next: [f64; 2],
+    pub(crate) length: f64,
+    pub(crate) next: [f64; 2],
+}
+
+/// The triangle on an edge that takes the whole sector at one of its ends.
+pub(crate) struct Ear {
+    /// Its least angle.
+    pub(crate) least: f64,
+    /// The angle of the sector that it leaves at the other end, and the ratio of the lengths there.
+    pub(crate) left: f64,
+    pub(crate) ratio: f64,
 }
 
 /// Angles of the triangle at the edge's ends, from the first to the second.
@@ -98,21 +107,23 @@ impl Place {
 
     /// The angle reached by the triangle that takes the whole sector at one end, with the best fan at the other.
     fn with_ear(&self, end: usize, known: f64) -> f64 {
+        let Some(Ear { least, left, ratio }) = self.ear(end) else { return 0.0 };
+        least.min(fan_bound([left; 2], [ratio; 2], known))
+    }
+
+    /// The triangle that takes the whole sector at one end, if something is left at the other.
+    pub(crate) fn ear(&self, end: usize) -> Option<Ear> {
         let (angle, next) = (self.angles[end], self.next[end]);
         if angle >= PI {
-            return 0.0;
+            return None;
         }
         // The triangle's angle at the other end, and the length of the new edge.
         let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
         let other = libm::atan2(next * sine, self.length - next * cosine);
         let length = libm::hypot(next * sine, self.length - next * cosine);
         let left = self.angles[1 - end] - other;
-        if left <= 0.0 {
-            return 0.0;
-        }
-        let ratio = length / self.next[1 - end];
-        let fan = fan_bound([left; 2], [ratio; 2], known);
-        angle.min(other).min(PI - angle - other).min(fan)
+        let least = angle.min(other).min(PI - angle - other);
+        (left > 0.0).then(|| Ear { least, left, ratio: length / self.next[1 - end] })
     }
 
     /// No apex seen from the ends under these angles allows more; of one apex the angle that it allows.
@@ -134,7 +145,7 @@ impl Place {
 
 /// The least and the greatest distance of an apex from an end of an edge of length 1, seen from there under `own` and from the other end
 /// under `other` angles: sin(other) / sin(own + other), which grows with `other`.
-fn apart(own: &[f64; 2], other: &[f64; 2]) -> [f64; 2] {
+pub(crate) fn apart(own: &[f64; 2], other: &[f64; 2]) -> [f64; 2] {
     let sums = |other: f64| own.map(|own| own + other);
     let [low, high] = sums(other[0]);
     // The sine of the sum is greatest at a right angle.
@@ -150,31 +161,49 @@ fn apart(own: &[f64; 2], other: &[f64; 2]) -> [f64; 2] {
 }
 
 /// No fan with an angle of this range, in radians, between edges with a ratio of lengths of that range has a greater fan limit, up to `most`.
-fn fan_bound([narrow, wide]: [f64; 2], [low, high]: [f64; 2], most: f64) -> f64 {
-    if wide <= 0.0 {
-        return 0.0;
-    }
-    // The ratio that is nearest to 1.
-    let ratio = if low > 1.0 { low } else { (1.0 / high).max(1.0) };
-    let log_ratio = libm::log(ratio);
+fn fan_bound([narrow, wide]: [f64; 2], ratios: [f64; 2], most: f64) -> f64 {
+    let log_ratio = log_of_nearest(ratios);
     let mut best = 0.0_f64;
     for count in 1..=u32::MAX {
-        let share = [narrow.max(0.0), wide].map(|angle| angle / f64::from(count));
-        if share[1] <= best || best >= most {
+        if wide <= 0.0 || wide / f64::from(count) <= best || best >= most {
             break;
         }
-        let spokes = libm::exp(log_ratio / f64::from(count));
-        // atan2(sin s, q - cos s) grows until cos s = 1 / q, and falls from there.
-        let peak = libm::acos(1.0 / spokes).clamp(share[0], share[1]);
-        if peak < PI {
-            let reached = match peak > 0.0 {
-                true => libm::atan2(libm::sin(peak), spokes - libm::cos(peak)),
-                false => PI / 2.0,
-            };
-            best = best.max(share[1].min(reached));
-        }
+        best = best.max(fan_of(count, [narrow, wide], log_ratio));
     }
     best
+}
+
+/// The fewest triangles that a fan of this range has if all angles are at least `least`; `many` stands for more, too. `None` if there is no such fan.
+pub(crate) fn fewest_of_fan(
+    angle: [f64; 2],
+    ratios: [f64; 2],
+    least: f64,
+    many: u32,
+) -> Option<u32> {
+    let log_ratio = log_of_nearest(ratios);
+    let fits = |count: &u32| *count == many || fan_of(*count, angle, log_ratio) >= least;
+    (1..=many).take_while(|count| angle[1] >= f64::from(*count) * least).find(fits)
+}
+
+/// The logarithm of the ratio that is nearest to 1.
+fn log_of_nearest([low, high]: [f64; 2]) -> f64 {
+    libm::log(if low > 1.0 { low } else { (1.0 / high).max(1.0) })
+}
+
+/// No fan of so many triangles with an angle of this range has a greater least angle.
+fn fan_of(count: u32, [narrow, wide]: [f64; 2], log_ratio: f64) -> f64 {
+    let share = [narrow.max(0.0), wide].map(|angle| angle / f64::from(count));
+    let spokes = libm::exp(log_ratio / f64::from(count));
+    // atan2(sin s, q - cos s) grows until cos s = 1 / q, and falls from there.
+    let peak = libm::acos(1.0 / spokes).clamp(share[0], share[1]);
+    if peak >= PI {
+        return 0.0;
+    }
+    let reached = match peak > 0.0 {
+        true => libm::atan2(libm::sin(peak), spokes - libm::cos(peak)),
+        false => PI / 2.0,
+    };
+    share[1].min(reached)
 }
 
 #[cfg(test)]

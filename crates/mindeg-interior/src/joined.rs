@@ -29,6 +29,8 @@ pub(crate) fn report_joined(
     report.violations.retain(|own| !one.contains(&own.vertex));
     report.certified.retain(|own| !one.contains(&own.vertex));
     report.corners.retain(|own| !one.contains(&own.vertex));
+    // Its sectors are counted apart.
+    report.together.retain(|own| !own.vertices.iter().any(|vertex| one.contains(vertex)));
     let alone = (0..on_rings).filter(|vertex| !one.contains(vertex));
     let alone = alone.map(|vertex| counts[vertex as usize] + 1);
     let mut boundary = alone.map(|degree| degree..=degree).reduce(|a, b| around(&a, &b));

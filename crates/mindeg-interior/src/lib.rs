@@ -108,6 +108,7 @@ mod stage;
 mod star;
 mod start;
 mod surface;
+mod together;
 mod trial;
 mod triangle;
 mod verdict;
@@ -119,7 +120,9 @@ pub use improve::{Improved, Keep, improve};
 pub use lengths::{CoarseEdge, SizeReport};
 pub use mindeg_domain::{Interior, Prefer, Size, SizeAt};
 pub use options::{InteriorError, JoinedVertices, Options, check_coordinates};
-pub use report::{CertifiedVertex, CornerTradeOff, InteriorReport, LocalShares, Violation};
+pub use report::{
+    CertifiedVertex, CornerTradeOff, InteriorReport, LocalShares, TogetherBound, Violation,
+};
 pub use surface::{
     CornerLimit, OffDegree, RemeshError, RemeshOptions, RemeshReport, Remeshed, RemeshedCurve,
     improve_surface, remesh,

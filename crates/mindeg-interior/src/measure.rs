@@ -3,13 +3,14 @@
 use crate::goal::{Goal, MOST};
 use crate::limits::Limits;
 use crate::report::{
-    CertifiedVertex, CornerTradeOff, ENOUGH, InteriorReport, LocalShares, Violation,
+    CertifiedVertex, CornerTradeOff, ENOUGH, InteriorReport, LocalShares, TogetherBound, Violation,
     first_percentile, grading,
 };
 use crate::star::Stars;
+use crate::together::Together;
 use crate::triangle::{doubled_area, max_angle, min_angle};
 use glam::DVec2;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
 
 /// The wishes that a mesh is compared with, and the limits of its boundary.
@@ -27,12 +28,14 @@ pub(crate) fn measure(
     points: &[DVec2],
     triangles: &[[u32; 3]],
     Wanted { interior, goals, stars, limits }: &Wanted<'_>,
-    index: impl Fn(u32) -> u32,
+    index_of: impl Fn(u32) -> u32,
     limits_at: impl Fn(&[Violation]) -> Limits,
 ) -> InteriorReport {
-    let goal = |v: u32| goals.get(index(v) as usize);
+    let goal = |v: u32| goals.get(index_of(v) as usize);
     let corners = |t: &[u32; 3]| t.map(|v| points[v as usize]);
     let mut counts = vec![0_u32; points.len()];
+    // The least angle of the triangles at each vertex that stays.
+    let mut least_at = vec![60.0_f64; goals.len()];
     let (mut least, mut greatest) = ((f64::INFINITY, 0), 0.0_f64);
     let mut angles = Vec::with_capacity(triangles.len());
     let mut halves = Vec::with_capacity(3 * triangles.len());
@@ -45,6 +48,9 @@ pub(crate) fn measure(
         greatest = greatest.max(max_angle(corners(t)));
         for i in 0..3 {
             counts[t[i] as usize] += 1;
+            if let Some(least) = least_at.get_mut(index_of(t[i]) as usize) {
+                *least = angle.min(*least);
+            }
             let (a, b) = (t[i], t[(i + 1) % 3]);
             halves.push((a.min(b), a.max(b), index as u32));
         }
@@ -68,8 +74,9 @@ pub(crate) fn measure(
     let mut corner_list = Vec::new();
     let mut local = vec![ENOUGH; points.len()];
     let mut least_of_edges = f64::INFINITY;
+    let together = together_bounds(points, &counts, goals, stars, &least_at, &index_of);
     for (vertex, count) in (0..).zip(counts).filter(|(_, count)| *count > 0) {
-        let (at, own) = (points[vertex as usize], index(vertex));
+        let (at, own) = (points[vertex as usize], index_of(vertex));
         let (mut is_boundary, mut wanted) = (false, interior.clone());
         if let Some(goal) = goal(vertex) {
             is_boundary = goal.is_boundary;
@@ -93,7 +100,7 @@ pub(crate) fn measure(
             at_least = at_least.max(least + more);
             boundary_vertices += u64::from(more);
             if least > goal.wanted {
-                let named = |end: &u32| (0..points.len() as u32).find(|v| index(*v) == *end);
+                let named = |end: &u32| (0..points.len() as u32).find(|v| index_of(*v) == *end);
                 let (degree_limit, least_degree) = (goal.wanted + more, least + more);
                 let edges = stars.ends(own).iter().filter_map(named).collect();
                 certified.push(CertifiedVertex { vertex, at, edges, degree_limit, least_degree });
@@ -133,6 +140,7 @@ pub(crate) fn measure(
         boundary_degree: boundary.0..=boundary.1,
         violations,
         certified,
+        together,
         at_least,
         area_ratio,
         grading_p99,
@@ -141,6 +149,42 @@ pub(crate) fn measure(
         interior_points,
         samples: [shares, ratios],
     }
+}
+
+/// The groups of vertices that no mesh with such angles brings nearer to their limits. `least_at`: the angles of vertices that stay.
+fn together_bounds(
+    points: &[DVec2],
+    counts: &[u32],
+    goals: &[Goal],
+    stars: &Stars,
+    least_at: &[f64],
+    index_of: impl Fn(u32) -> u32,
+) -> Vec<TogetherBound> {
+    let mut names = vec![u32::MAX; goals.len()];
+    let all = (0..points.len() as u32).map(|v| (v, index_of(v) as usize));
+    all.for_each(|(v, index)| names.iter_mut().skip(index).take(1).for_each(|name| *name = v));
+    let of_vertex = |name: &u32| counts.get(*name as usize).copied().unwrap_or(0);
+    let own: Vec<u32> = names.iter().map(of_vertex).collect();
+    let limits: Vec<u32> = goals.iter().map(|goal| goal.triangles).collect();
+    if own.iter().zip(&limits).all(|(count, limit)| count <= limit) {
+        return Vec::new();
+    }
+    let groups = Together::new(stars, least_at, &own, &limits).groups();
+    let bound = |(group, share): (BTreeSet<u32>, f64)| {
+        let excess = |v: &u32| own[*v as usize].saturating_sub(limits[*v as usize]);
+        let ends = group.iter().flat_map(|v| stars.ends(*v));
+        let ends = ends.filter(|v| (*v as usize) < names.len());
+        let around: BTreeSet<u32> = group.iter().copied().chain(ends).collect();
+        let name = |v: &u32| names[*v as usize];
+        let mut angles: Vec<(u32, f64)> =
+            around.iter().map(|v| (name(v), share * least_at[*v as usize])).collect();
+        let mut vertices: Vec<u32> = group.iter().map(name).collect();
+        vertices.sort_unstable();
+        angles.sort_unstable_by_key(|own| own.0);
+        let at = points[vertices[0] as usize];
+        TogetherBound { more: group.iter().map(excess).sum(), vertices, at, share, angles }
+    };
+    groups.into_iter().map(bound).collect()
 }
 
 /// A maximum degree that no mesh with these boundary vertices is below: with fewer, its edges would have too many ends.

@@ -82,6 +82,28 @@ pub struct CertifiedVertex {
     pub least_degree: u32,
 }
 
+/// Vertices on the boundary and on lines that are above their degree limits by as many edges, in all, as in every mesh whose angles
+/// there are no smaller.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TogetherBound {
+    /// The vertices, in ascending order.
+    pub vertices: Vec<u32>,
+    /// Where the first one is.
+    pub at: DVec2,
+    /// So many edges more than their limits they have in all, at least.
+    pub more: u32,
+    /// The share of the angles here that other meshes must have for that.
+    pub share: f64,
+    /// The vertices and the other ends of the edges there that stay, each with the angle in degrees that all triangles at it must have.
+    pub angles: Vec<(u32, f64)>,
+}
+
+impl TogetherBound {
+    fn names(&mut self) -> impl Iterator<Item = &mut u32> {
+        self.vertices.iter_mut().chain(self.angles.iter_mut().map(|own| &mut own.0))
+    }
+}
+
 /// The figures that a mesh reached. Angles are in degrees.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InteriorReport {
@@ -112,6 +134,8 @@ pub struct InteriorReport {
     pub violations: Vec<Violation>,
     /// Vertices whose degree no mesh brings into its range, in ascending order: all of them are violations.
     pub certified: Vec<CertifiedVertex>,
+    /// Groups of vertices above their degree limits, which no mesh with such angles brings nearer to them.
+    pub together: Vec<TogetherBound>,
     /// No mesh of this boundary and these lines has a smaller maximum degree, whatever points are inside: so many edges does
     /// a vertex have at least, or else all edges have too many ends.
     pub at_least: u32,
@@ -156,7 +180,9 @@ impl InteriorReport {
         let certified = self.certified.iter_mut();
         let certified = certified.flat_map(|it| [&mut it.vertex].into_iter().chain(&mut it.edges));
         let vertices = own.into_iter().chain(limits).chain(tents).chain(violations);
-        vertices.chain(corners).chain(certified).for_each(|vertex| *vertex += first);
+        let together = self.together.iter_mut().flat_map(TogetherBound::names);
+        let vertices = vertices.chain(corners).chain(certified).chain(together);
+        vertices.for_each(|vertex| *vertex += first);
         self
     }
 
@@ -183,6 +209,7 @@ impl InteriorReport {
         self.corners.extend(other.corners);
         self.violations.extend(other.violations);
         self.certified.extend(other.certified);
+        self.together.extend(other.together);
         self.at_least = self.at_least.max(other.at_least);
         self.area_ratio = self.area_ratio.max(other.area_ratio);
         self.sizes = match (self.sizes, other.sizes) {
@@ -228,8 +255,9 @@ impl InteriorReport {
     /// The same report with other names of the vertices, and of the edges of the boundary and its lines.
     #[must_use]
     pub fn renamed(mut self, name: impl Fn(u32) -> u32, edge: impl Fn(u32) -> u32) -> Self {
-        let Self { limits, min_angle_vertex, local, corners, violations, certified, .. } =
-            &mut self;
+        let Self {
+            limits, min_angle_vertex, local, corners, violations, certified, together, ..
+        } = &mut self;
         let Limits { any_degree, with_degree_limit, tent } = limits;
         let fans = [&mut any_degree.vertex, &mut with_degree_limit.vertex, min_angle_vertex];
         let tents = tent.iter_mut().flat_map(|tent| &mut tent.edges);
@@ -237,6 +265,7 @@ impl InteriorReport {
         let places = places.chain(violations.iter_mut().map(|violation| &mut violation.vertex));
         let proven =
             certified.iter_mut().flat_map(|own| own.edges.iter_mut().chain([&mut own.vertex]));
+        let proven = proven.chain(together.iter_mut().flat_map(TogetherBound::names));
         let places = places.chain(proven).chain([&mut local.vertex]);
         for vertex in fans.into_iter().chain(tents).chain(places) {
             *vertex = name(*vertex);
@@ -247,6 +276,11 @@ impl InteriorReport {
         self.corners.sort_by_key(|corner| corner.vertex);
         self.violations.sort_by_key(|violation| violation.vertex);
         self.certified.sort_by_key(|certified| certified.vertex);
+        for bound in &mut self.together {
+            bound.vertices.sort_unstable();
+            bound.angles.sort_unstable_by_key(|own| own.0);
+        }
+        self.together.sort_by(|a, b| a.vertices.cmp(&b.vertices));
         self
     }
 }

@@ -42,7 +42,7 @@ pub use mindeg_condition::{
 pub use mindeg_interior::limits::{FanLimit, Limits, TentLimit, degree_limit};
 pub use mindeg_interior::{
     CertifiedVertex, CornerTradeOff, InteriorError, InteriorReport, LocalShares, SizeReport,
-    Violation,
+    TogetherBound, Violation,
 };
 use posed::Posed;
 

@@ -39,6 +39,7 @@ mod proof;
 mod rules;
 mod sides;
 mod surface;
+mod together;
 mod triangulation;
 
 pub use defect::MeshDefect;

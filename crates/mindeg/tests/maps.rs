@@ -300,3 +300,30 @@ fn degrees_that_lines_alone_exceed_are_certified() {
     let range = verified.out_of_range.iter().map(|point| verified.vertex_of[*point as usize]);
     assert_eq!(range.collect::<Vec<_>>(), broken);
 }
+
+/// Four kites meet at a point, and no edge cuts off a corner there: their sides alone are four edges, and each kite adds one.
+#[test]
+fn degrees_that_the_regions_exceed_together_are_proven_and_checked() {
+    let text = |side: f64, size: f64| {
+        let line = |end: [i32; 2]| format!(r#"{{"points": [[0, 0], {end:?}]}}"#);
+        let lines: Vec<String> = [[1, 0], [0, 1], [-1, 0], [0, -1]].map(line).to_vec();
+        let (a, b) = (side, -side);
+        let corners =
+            format!("[1,0], [{a},{a}], [0,1], [{b},{a}], [-1,0], [{b},{b}], [0,-1], [{a},{b}]");
+        let domain = format!(r#"{{"polygon": {{"corners": [{corners}]}}, "size": {size}"#);
+        format!(r#"{domain}, "lines": [{}]}}"#, lines.join(", "))
+    };
+    for (side, size, count) in [(0.4, 0.4, 1), (0.9, 3.0, 0)] {
+        let (domain, found) = meshed(&text(side, size));
+        let report = &found.report;
+        let verified = verify::triangulation(&found.mesh, &domain, None).unwrap();
+        assert_eq!((report.certified.len(), verified.certified.len()), (0, 0));
+        let own: Vec<u32> = report.together.iter().flat_map(|own| own.vertices.clone()).collect();
+        let checked: Vec<u32> =
+            verified.together.iter().map(|own| verified.vertex_of[own.0 as usize]).collect();
+        assert_eq!((own.len(), &own), (count, &checked), "{side}");
+        assert_eq!(report.violations.iter().filter(|own| own.at == DVec2::ZERO).count(), count);
+        let shares = report.together.iter().map(|own| own.share);
+        assert!(shares.eq(verified.together.iter().map(|own| own.1)));
+    }
+}

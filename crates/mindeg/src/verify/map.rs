@@ -197,6 +197,11 @@ impl MapLines {
         Ok(())
     }
 
+    /// The edges of lines, both ways.
+    pub(super) fn edges(&self) -> impl Iterator<Item = [u32; 2]> {
+        self.edges.iter().copied()
+    }
+
     /// Whether an edge is of a line.
     pub(super) fn has(&self, edge: [u32; 2]) -> bool {
         self.edges.contains(&edge)

@@ -64,6 +64,8 @@ pub struct VerifiedMesh {
     pub out_of_range: Vec<u32>,
     /// The points of `out_of_range` that no mesh brings into range: the lines there alone are too many.
     pub certified: Vec<u32>,
+    /// Others of `out_of_range`, which no mesh with this share of the angles there brings nearer to their limits, alone or with others.
+    pub together: Vec<(u32, f64)>,
     /// How the mesh lies in space.
     pub plane: MatchedPlane,
     /// Whether all triangles of the mesh are clockwise.
@@ -213,6 +215,7 @@ pub(super) fn matched(
         above_limit: Vec::new(),
         out_of_range: Vec::new(),
         certified: Vec::new(),
+        together: Vec::new(),
         is_reversed: false,
     })
 }

@@ -11,6 +11,7 @@ use super::fault;
 use super::joint::joined_degrees;
 use super::map::MapLines;
 use super::matching::{MatchedPlane, VerifiedMesh, matched, tolerance_of};
+use super::together::Frozen;
 
 /// Checks that a mesh is a triangulation of a domain: that it has a vertex at every boundary point, and
 /// that its triangles cover the domain once and lie edge to edge. Other vertices are interior points.
@@ -113,6 +114,12 @@ fn checked(
                     mesh.certified.push(vertex);
                 }
             }
+        }
+        let above = mesh.out_of_range.iter().filter(|v| !mesh.certified.contains(v));
+        let above = above.filter(|v| mesh.degrees[**v as usize] > *range.end());
+        let above: Vec<u32> = above.copied().collect();
+        if !above.is_empty() && domain.periodic().is_none() {
+            mesh.together = Frozen::new(&boundary, &lines, &mesh).excused(&above, *range.end());
         }
     }
     if domain.is_constrained() {

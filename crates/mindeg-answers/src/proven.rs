@@ -1,0 +1,110 @@
+//! Degree limits that no mesh keeps, with their proofs.
+
+use crate::numbers::{four_digits, percent};
+use mindeg::interior::{CertifiedVertex, InteriorReport, TogetherBound};
+use serde::Serialize;
+
+/// How many places a text names.
+pub(crate) const NAMED: usize = 5;
+
+/// A vertex at which so many edges meet that stay, of the boundary and of lines, that no mesh keeps its degree limit.
+#[derive(Clone, Debug, Serialize)]
+pub struct CertifiedAnswer {
+    vertex: u32,
+    position: [f64; 2],
+    /// The other ends of the edges, counter-clockwise.
+    edges: Vec<u32>,
+    degree_limit: u32,
+    /// The least degree that it has in any mesh.
+    least_degree: u32,
+}
+
+impl From<&CertifiedVertex> for CertifiedAnswer {
+    fn from(certified: &CertifiedVertex) -> Self {
+        Self {
+            vertex: certified.vertex,
+            position: certified.at.to_array(),
+            edges: certified.edges.clone(),
+            degree_limit: certified.degree_limit,
+            least_degree: certified.least_degree,
+        }
+    }
+}
+
+/// Vertices on the boundary and on lines that are above their degree limits by as many edges, in all, as in every mesh with such angles.
+#[derive(Clone, Debug, Serialize)]
+pub struct TogetherAnswer {
+    vertices: Vec<u32>,
+    /// Where the first one is.
+    position: [f64; 2],
+    /// So many edges more than their limits they have in all, at least.
+    more: u32,
+    /// The share of the angles of this mesh that other meshes must have there for that.
+    share: f64,
+    /// These angles.
+    angles: Vec<AngleThere>,
+}
+
+/// An angle that all triangles at a vertex have.
+#[derive(Clone, Debug, Serialize)]
+struct AngleThere {
+    vertex: u32,
+    min_angle: f64,
+}
+
+impl From<&TogetherBound> for TogetherAnswer {
+    fn from(bound: &TogetherBound) -> Self {
+        let angles = bound.angles.iter();
+        let there = angles.map(|&(vertex, min_angle)| AngleThere { vertex, min_angle });
+        let (vertices, position) = (bound.vertices.clone(), bound.at.to_array());
+        let (more, share) = (bound.more, bound.share);
+        Self { vertices, position, more, share, angles: there.collect() }
+    }
+}
+
+/// The groups of vertices that no mesh brings nearer to their limits at such angles, if there are any.
+pub(crate) fn together(report: &InteriorReport) -> Option<String> {
+    let place = |bound: &TogetherBound| {
+        let [x, y] = bound.at.to_array().map(four_digits);
+        let names: Vec<String> = bound.vertices.iter().map(u32::to_string).collect();
+        let vertices = if names.len() == 1 { "vertex" } else { "vertices" };
+        let (names, share) = (names.join(" and "), percent(bound.share));
+        format!("{} at {vertices} {names} at ({x}, {y}) (with {share})", bound.more)
+    };
+    let mut places: Vec<String> = report.together.iter().map(place).collect();
+    if places.is_empty() {
+        return None;
+    }
+    if places.len() > NAMED {
+        places.truncate(NAMED);
+        places.push("…".to_owned());
+    }
+    let places = places.join(", ");
+    Some(format!(
+        "No mesh with so much of the angles there has fewer edges above the limits: {places}"
+    ))
+}
+
+/// The vertices whose degree limit no mesh keeps, if there are any.
+pub(crate) fn certified(report: &InteriorReport) -> Option<String> {
+    let place = |certified: &CertifiedVertex| {
+        let CertifiedVertex { vertex, at, edges, degree_limit, least_degree } = certified;
+        let [x, y] = at.to_array().map(four_digits);
+        format!(
+            "vertex {vertex} at ({x}, {y}), where {} edges meet that stay, has {least_degree} or more (limit \
+             {degree_limit})",
+            edges.len()
+        )
+    };
+    let mut places: Vec<String> = report.certified.iter().map(place).collect();
+    let limits = match places.len() {
+        0 => return None,
+        1 => "the degree limit of 1 vertex".to_owned(),
+        count => format!("the degree limits of {count} vertices"),
+    };
+    if places.len() > NAMED {
+        places.truncate(NAMED);
+        places.push("…".to_owned());
+    }
+    Some(format!("No mesh keeps {limits}: {}", places.join(", ")))
+}
