@@ -146,8 +146,7 @@ impl Making {
         }
         let files = targets.files();
         let shown = targets.first_format().filter(|_| is_shown);
-        remarks.extend(targets.left_out(&mesh_for));
-        bar.work(|progress| targets.write(&mesh_for, progress))?;
+        remarks.extend(bar.work(|progress| targets.write(&mesh_for, progress))?);
         if let Some(format) = shown {
             show(mesh_for(format), files.first().map_or("mesh", String::as_str), &bar)?;
         }

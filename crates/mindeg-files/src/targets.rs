@@ -131,26 +131,6 @@ impl<'a> Targets<'a> {
         in_degrees.map(Format::description).collect()
     }
 
-    /// The parts of meshes that files leave out, a sentence each.
-    pub fn left_out<'m>(&self, mesh_for: impl Fn(Format) -> &'m dyn Mesh) -> Vec<String> {
-        let told = |target: &Target| {
-            let mesh = mesh_for(target.format);
-            let names = target.format.lines_left_out(mesh);
-            let some = names.iter().take(MOST_NAMES).cloned().collect::<Vec<_>>().join(", ");
-            let more = if names.len() > MOST_NAMES { ", …" } else { "" };
-            let path = target.path.display();
-            let lines = if names.len() == 1 { "a line" } else { "lines" };
-            let lines = (!names.is_empty()).then(|| {
-                format!("{path} leaves out {lines} inside, since the format has boundaries alone: {some}{more}")
-            });
-            let depths = target.format.leaves_out_depths(mesh).then(|| {
-                format!("{path} leaves out the depths, since the format has no place for them; those of ocean models have one")
-            });
-            lines.into_iter().chain(depths)
-        };
-        self.targets.iter().flat_map(told).collect()
-    }
-
     /// Whether one of them goes where this process prints.
     #[must_use]
     pub fn use_standard_output(&self) -> bool {
@@ -221,7 +201,7 @@ impl<'a> Targets<'a> {
     }
 
     /// Writes a mesh of the positions that were [checked](Self::check) to all of them and gives the files
-    /// their names. `mesh_for` gives the mesh for a format.
+    /// their names. `mesh_for` gives the mesh for a format. Says what the files leave out, a sentence each.
     ///
     /// # Errors
     ///
@@ -231,8 +211,8 @@ impl<'a> Targets<'a> {
         self,
         mesh_for: impl Fn(Format) -> &'m dyn Mesh,
         progress: Progress<'_>,
-    ) -> Result<(), FileError> {
-        let mut taken = Ok(());
+    ) -> Result<Vec<String>, FileError> {
+        let (mut taken, mut left_out) = (Ok(()), Vec::new());
         for target in self.targets {
             let projection = self.projection.filter(|_| target.format.in_degrees());
             let degrees = projection.map(|projection| move |point| in_degrees(&projection, point));
@@ -245,11 +225,11 @@ impl<'a> Targets<'a> {
             match written {
                 // Nobody reads on, and the other outputs are not for that reader.
                 Err(error) if error.kind() == Some(ErrorKind::BrokenPipe) => taken = Err(error),
-                written => written?,
+                told => left_out.extend(told?),
             }
         }
         self.outputs.finish()?;
-        taken
+        taken.map(|()| left_out)
     }
 }
 
@@ -271,7 +251,7 @@ impl Session {
         targets.expect_materials(mesh.groups().iter().any(|group| group.material.is_some()))?;
         targets.check(mesh, mesh.triangle_count())?;
         targets.open()?;
-        targets.write(|_| mesh, Progress::NONE)
+        targets.write(|_| mesh, Progress::NONE).map(|_| ())
     }
 }
 
@@ -332,14 +312,27 @@ impl Target {
         is_standard_output(&self.path)
     }
 
-    fn write(mut self, mesh: &dyn Mesh, progress: Progress<'_>) -> Result<(), FileError> {
+    /// Says what the files leave out.
+    fn write(mut self, mesh: &dyn Mesh, progress: Progress<'_>) -> Result<Vec<String>, FileError> {
         let mut streams = std::mem::take(&mut self.out);
         let name = |file: &PathBuf| file.file_name().unwrap_or_default().to_string_lossy().into();
         let names: Vec<String> = self.files.iter().map(name).collect();
         let mut files: Vec<(&str, &mut Box<dyn Write + Send>)> =
             names.iter().map(String::as_str).zip(&mut streams).collect();
         let writer = self.writer.as_ref().expect("the formats were checked before");
-        writer.write(mesh, &mut files, progress).map_err(|error| self.failed(error))
+        let written = writer.write(mesh, &mut files, progress);
+        let names = written.map_err(|error| self.failed(error))?;
+        let some = names.iter().take(MOST_NAMES).cloned().collect::<Vec<_>>().join(", ");
+        let more = if names.len() > MOST_NAMES { ", …" } else { "" };
+        let path = self.path.display();
+        let lines = if names.len() == 1 { "a line" } else { "lines" };
+        let lines = (!names.is_empty()).then(|| {
+            format!("{path} leaves out {lines} inside, since the format has boundaries alone: {some}{more}")
+        });
+        let depths = self.format.leaves_out_depths(mesh).then(|| {
+            format!("{path} leaves out the depths, since the format has no place for them; those of ocean models have one")
+        });
+        Ok(lines.into_iter().chain(depths).collect())
     }
 
     fn failed(&self, error: WriteError) -> FileError {

@@ -133,7 +133,7 @@ impl<'a> MarkedChains<'a> {
     /// Leaves out segments with triangles on both sides: they are no boundary. Gives the names of
     /// their lines, each once. O(n log n) time for n triangles and
     /// segments.
-    pub(crate) fn leave_out_inner(&mut self) -> Vec<&str> {
+    pub(crate) fn leave_out_inner(&mut self) -> Vec<String> {
         let of_chain = |chain: &MarkedChain| segments(self.mesh, chain.segments.clone());
         let mut edges: Vec<[u32; 2]> = self.chains.iter().flat_map(of_chain).map(sorted).collect();
         edges.sort_unstable();
@@ -173,7 +173,7 @@ impl<'a> MarkedChains<'a> {
         }
         self.chains = kept;
         let names = self.names.iter().zip(left_out);
-        names.filter(|name| name.1).map(|name| name.0.as_str()).collect()
+        names.filter(|name| name.1).map(|name| name.0.clone()).collect()
     }
 
     /// The rings: chains that follow one another and close.

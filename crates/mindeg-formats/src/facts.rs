@@ -28,8 +28,6 @@ pub(crate) struct Facts {
     pub(crate) has_remarks: bool,
     /// Whether depths are lost in a file, where a reader would look for them.
     pub(crate) leaves_out_depths: bool,
-    /// Whether lines inside are lost, since a file has a place for boundaries alone.
-    pub(crate) leaves_out_lines_inside: bool,
     /// Whether the format wants degrees where the plane is a projection of them.
     pub(crate) in_degrees: bool,
     /// Whether a file begins as this format alone does. Blanks at its start are left out.
@@ -48,7 +46,8 @@ pub(crate) struct Facts {
     pub(crate) check_size: fn(&WriteOptions, u32, u32) -> Result<(), WriteError>,
     /// Refuses positions that the format cannot hold; for glTF also how they are stored.
     pub(crate) check: fn(&dyn Positions, &WriteOptions) -> Result<Option<Stored>, WriteError>,
-    pub(crate) write: fn(&Job<'_>, &mut Files<'_, '_>) -> Result<(), WriteError>,
+    /// Writes the files, and gives the names of the lines that they leave out.
+    pub(crate) write: fn(&Job<'_>, &mut Files<'_, '_>) -> Result<Vec<String>, WriteError>,
 }
 
 /// The most vertices of a format that counts in 32 bits with a sign.
@@ -68,7 +67,6 @@ impl Facts {
         has_boundary: false,
         has_remarks: true,
         leaves_out_depths: true,
-        leaves_out_lines_inside: false,
         in_degrees: false,
         begins: |_| false,
         first_words: &[],
@@ -78,7 +76,7 @@ impl Facts {
         in_plane: false,
         check_size: |_, _, _| Ok(()),
         check: |_, _| Ok(None),
-        write: |_, _| Ok(()),
+        write: |_, _| Ok(Vec::new()),
     };
 }
 
@@ -107,18 +105,18 @@ impl Job<'_> {
         self.stored.expect("the check of glTF has found it")
     }
 
-    /// Writes each file from its sections.
+    /// Writes each file from its sections, which leave out no line.
     pub(crate) fn write<const N: usize>(
         &self,
         files: &mut Files<'_, '_>,
         contents: [Vec<Section<'_>>; N],
-    ) -> Result<(), WriteError> {
+    ) -> Result<Vec<String>, WriteError> {
         let total = contents[..files.len()].iter().map(|sections| block_count(sections)).sum();
         let written = self.progress.counter(self.stage, total);
         for ((_, out), sections) in files.iter_mut().zip(contents) {
             write_counted(out, &sections, &written)?;
             out.flush()?;
         }
-        Ok(())
+        Ok(Vec::new())
     }
 }

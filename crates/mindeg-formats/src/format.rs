@@ -2,7 +2,6 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::boundary::MarkedChains;
 use crate::facts::Facts;
 use mindeg_mesh::Mesh;
 
@@ -118,17 +117,6 @@ impl Format {
     #[must_use]
     pub fn description(self) -> &'static str {
         self.facts().description
-    }
-
-    /// The names of the lines of a mesh that a file of this format leaves out, since they run inside and the format has a place for
-    /// boundaries alone. O(n log n) time for fort.14, none for others.
-    #[must_use]
-    pub fn lines_left_out(self, mesh: &dyn Mesh) -> Vec<String> {
-        if !self.facts().leaves_out_lines_inside {
-            return Vec::new();
-        }
-        let mut chains = MarkedChains::of(mesh);
-        chains.leave_out_inner().into_iter().map(str::to_owned).collect()
     }
 
     /// Whether the mesh has depths and a file of this format leaves them out. O(n) time; pictures have no place for numbers

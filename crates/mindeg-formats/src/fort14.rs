@@ -11,6 +11,7 @@
 mod read;
 mod write;
 
+use crate::boundary::MarkedChains;
 use crate::facts::{Facts, SIGNED};
 
 use read::fits;
@@ -22,13 +23,17 @@ pub(crate) const FACTS: Facts = Facts {
     description: "ADCIRC fort.14 or SCHISM hgrid.gr3",
     extensions: &["14", "grd", "gr3"],
     leaves_out_depths: false,
-    leaves_out_lines_inside: true,
     has_boundary: true,
     in_degrees: true,
     fits,
     read: Some(|source| read(source.input)),
     max_vertices: SIGNED,
     in_plane: true,
-    write: |job, files| job.write(files, [sections(job.mesh)]),
+    write: |job, files| {
+        let mut boundary = MarkedChains::of(job.mesh);
+        let left_out = boundary.leave_out_inner();
+        job.write(files, [sections(job.mesh, boundary)])?;
+        Ok(left_out)
+    },
     ..Facts::NONE
 };

@@ -29,6 +29,9 @@ pub(crate) const FACTS: Facts = Facts {
     extensions: &["npz"],
     begins: |text| text.starts_with(b"PK\x03\x04"),
     read: Some(|source| read(source.input)),
-    write: |job, files| Ok(write(job.mesh, job.options.fields, &mut files[0].1)?),
+    write: |job, files| {
+        write(job.mesh, job.options.fields, &mut files[0].1)?;
+        Ok(Vec::new())
+    },
     ..Facts::NONE
 };

@@ -84,6 +84,9 @@ impl Writer {
     /// are large: the files need no buffers around them. The bytes do not depend on the threads.
     /// `progress` counts the blocks of text formats, MSH, VTU, VTK, PLY, STL and glTF.
     ///
+    /// Gives the names of the lines that the files leave out, since they run inside and the format has a place for
+    /// boundaries alone: fort.14.
+    ///
     /// # Errors
     ///
     /// Errors of the files, another number of files, and what the format cannot hold.
@@ -92,7 +95,7 @@ impl Writer {
         mesh: &dyn Mesh,
         files: &mut [(&str, W)],
         progress: Progress<'_>,
-    ) -> Result<(), WriteError> {
+    ) -> Result<Vec<String>, WriteError> {
         let facts = self.format.facts();
         let count = self.format.file_count();
         if files.len() != count && (files.len() != count + 1 || facts.library.is_none()) {
@@ -137,5 +140,5 @@ pub fn write(
     out: impl Write + Send,
 ) -> Result<(), WriteError> {
     let writer = Writer::new(format, *options, mesh, mesh.triangle_count())?;
-    writer.write(mesh, &mut [("", out)], Progress::NONE)
+    writer.write(mesh, &mut [("", out)], Progress::NONE).map(|_| ())
 }

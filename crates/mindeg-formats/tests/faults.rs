@@ -58,7 +58,8 @@ fn write<W: Write + Send>(
     (format, options): (Format, WriteOptions),
     files: &mut [(&str, W)],
 ) -> Result<(), WriteError> {
-    Writer::new(format, options, mesh, mesh.triangle_count())?.write(mesh, files, Progress::NONE)
+    let writer = Writer::new(format, options, mesh, mesh.triangle_count())?;
+    writer.write(mesh, files, Progress::NONE).map(|_| ())
 }
 
 fn written(mesh: &TriMesh, way: (Format, WriteOptions)) -> Vec<Vec<u8>> {

@@ -241,6 +241,26 @@ fn markers_and_attributes_of_triangle_keep_their_numbers() {
 }
 
 #[test]
+fn the_names_of_lines_inside_that_a_file_leaves_out_are_given() {
+    let points = [DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y, DVec3::Y];
+    let names = ["rim", "middle", "rim", "gap"].into_iter().zip([0..2, 2..3, 3..5, 5..6]);
+    let line = |(name, segments)| Line { name: String::from(name), segments, is_straight: false };
+    let segments = vec![[0, 1], [1, 2], [2, 0], [2, 3], [3, 0], [0, 2]];
+    let mesh = TriMesh::new(points.to_vec(), vec![[0, 1, 2], [0, 2, 3]]).unwrap();
+    let mesh = mesh.with_lines(names.map(line).collect(), segments).unwrap();
+    for (format, left_out) in
+        [(Format::Fort14, &["middle", "gap"][..]), (Format::Su2, &[]), (Format::Msh, &[])]
+    {
+        let writer = Writer::new(format, WriteOptions::default(), &mesh, 2).unwrap();
+        let mut file = Vec::new();
+        let told = writer.write(&mesh, &mut [("a", &mut file)], Progress::NONE).unwrap();
+        assert_eq!(told, left_out, "{format:?}");
+        let file = String::from_utf8_lossy(&file);
+        assert_eq!(file.contains("middle"), left_out.is_empty(), "{format:?}");
+    }
+}
+
+#[test]
 fn a_mesh_in_space_is_refused_for_the_plane() {
     let points = vec![DVec3::ZERO, DVec3::X, DVec3::Y + DVec3::Z];
     let mesh = TriMesh::new(points, vec![[0, 1, 2]]).unwrap();

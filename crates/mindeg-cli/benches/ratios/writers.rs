@@ -63,7 +63,9 @@ pub(crate) fn print() {
 
         for (name, format, options, aim) in others() {
             let writer = Writer::new(format, options, &mesh, mesh.triangle_count()).unwrap();
-            let write = |file| writer.write(&mesh, &mut [("", file)], Progress::NONE).unwrap();
+            let write = |file| {
+                writer.write(&mesh, &mut [("", file)], Progress::NONE).unwrap();
+            };
             let bytes = written(&write);
             let [raw, ours] = rounds(
                 often,

@@ -10,8 +10,8 @@ use crate::{made_by, mesh_name};
 use mindeg_mesh::{LineKind, Mesh, filled};
 use std::ops::Range;
 
-/// The file from front to back.
-pub(crate) fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
+/// The file from front to back, with a boundary that has no lines inside.
+pub(crate) fn sections<'a>(mesh: &'a dyn Mesh, boundary: MarkedChains<'_>) -> Vec<Section<'a>> {
     let name = one_line(mesh_name(mesh));
     let (elements, nodes) = (mesh.triangle_count(), mesh.vertex_count());
     let head = format!(
@@ -24,8 +24,6 @@ pub(crate) fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
         numbered_lines(" ", 0..nodes, |range| points(mesh, range)),
         numbered_lines(" ", 0..elements, corners),
     ];
-    let mut boundary = MarkedChains::of(mesh);
-    boundary.leave_out_inner();
     let [open, closed] = segments(&boundary);
     for (kind, boundaries) in [("open", open), ("land", closed)] {
         let nodes: u64 = boundaries.iter().map(|segment| segment.node_count()).sum();

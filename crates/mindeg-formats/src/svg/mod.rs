@@ -40,7 +40,7 @@ pub(crate) const FACTS: Facts = Facts {
     leaves_out_depths: false,
     begins: |text| text.starts_with(b"<") && memchr::memmem::find(text, b"<svg").is_some(),
     check_size: |_, vertices, _| check_size(vertices),
-    write: |job, files| write(job.mesh, &mut files[0].1),
+    write: |job, files| write(job.mesh, &mut files[0].1).map(|()| Vec::new()),
     ..Facts::NONE
 };
 
