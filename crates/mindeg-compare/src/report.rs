@@ -13,6 +13,7 @@ mod picture;
 mod scene;
 mod svg;
 mod tables;
+mod titles;
 mod trade_off;
 mod view;
 mod viewer;
@@ -31,6 +32,7 @@ use mindeg_answers::trade_off::TradeOffAnswer;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::io::{self, Write};
+use std::path::Path;
 
 /// A comparison of triangulations of one domain, by figures.
 ///
@@ -98,6 +100,13 @@ pub struct Provenance {
 impl Default for Provenance {
     fn default() -> Self {
         Self { version: env!("CARGO_PKG_VERSION").to_owned(), input: None, command: None }
+    }
+}
+
+impl Provenance {
+    /// What a page is called whose domain or mesh has no name: the input without its folder and ending.
+    pub(crate) fn title(&self) -> Option<&str> {
+        Path::new(self.input.as_deref()?).file_stem()?.to_str()
     }
 }
 

@@ -5,10 +5,10 @@
 //! Limits: it speaks of the maximum degree and of minimum angles alone. Whether degree or
 //! angle matters more is the reader's to know.
 
-use crate::Method;
 use crate::advised::patch;
 use crate::figures::{DefectKind, MethodFigures};
 use crate::report::Report;
+use crate::{Method, Reference};
 use mindeg_answers::advice::Purpose;
 use mindeg_answers::numbers::{count, percent, steady_angle};
 
@@ -165,8 +165,22 @@ fn failure(method: &MethodFigures) -> Option<String> {
     let is_late = method.defects.iter().any(|defect| defect.kind == DefectKind::TimeLimit);
     let is_invalid = method.max_degree.is_some() && !method.valid;
     let gives = if is_invalid { "no valid triangulation" } else { "nothing" };
-    (is_late || is_invalid)
-        .then(|| format!("{} gives {gives} here: {}.", method.method, reasons(method)))
+    let told = match left_out(method) {
+        Some(_) => format!(
+            "Ear clipping has left out points on straight lines, so its mesh is no triangulation of these points: {}.",
+            reasons(method)
+        ),
+        None => format!("{} gives {gives} here: {}.", method.method, reasons(method)),
+    };
+    (is_late || is_invalid).then_some(told)
+}
+
+/// Why triangles of ear clipping are missing.
+pub(crate) fn left_out(method: &MethodFigures) -> Option<&'static str> {
+    let is_short = method.defects.iter().any(|it| it.kind == DefectKind::MissingTriangles);
+    (is_short && method.method == Method::Reference(Reference::EarClipping)).then_some(
+        "The crate has left out points on straight lines, so this is no triangulation of these points:",
+    )
 }
 
 fn reasons(method: &MethodFigures) -> String {
@@ -177,7 +191,6 @@ fn reasons(method: &MethodFigures) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Reference;
     use crate::figures::{DomainFigures, MethodDefect};
     use crate::report::Provenance;
     use mindeg::quality::Distribution;
@@ -361,6 +374,16 @@ mod tests {
             (
                 failed(FAN, DefectKind::TimeLimit, None),
                 Some("Fan gives nothing here: it went wrong."),
+            ),
+            (
+                failed(
+                    Method::Reference(Reference::EarClipping),
+                    DefectKind::MissingTriangles,
+                    Some(9),
+                ),
+                Some(
+                    "Ear clipping has left out points on straight lines, so its mesh is no triangulation of these points: it went wrong.",
+                ),
             ),
             (
                 failed(FAN, DefectKind::FlatTriangles, Some(9)),

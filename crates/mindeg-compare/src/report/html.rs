@@ -12,11 +12,12 @@ use super::picture;
 use super::scene::{MAX_DRAWN, thinned};
 use super::svg::{self, CURVE_STYLE, Curve, Marks};
 use super::tables::{self, Table};
+use super::titles::{self, title};
 use super::viewer::{SCRIPT, STYLE};
 use super::{Provenance, Report};
 use crate::advised::advised;
-use crate::figures::{MethodDefect, MethodFigures};
-use crate::verdict::{Verdict, verdict};
+use crate::figures::MethodFigures;
+use crate::verdict::{Verdict, left_out, verdict};
 use crate::{Comparison, Method};
 use askama::Template;
 use glam::DVec2;
@@ -76,9 +77,26 @@ struct Page<'a> {
     sides: Table,
     all_figures: Vec<Table>,
     worst: Vec<Table>,
-    methods: &'a [MethodFigures],
+    methods: Vec<Explained<'a>>,
     data: String,
     script: &'static str,
+}
+
+/// A method: the title of its mesh, that of the same mesh before it, and what it does.
+struct Explained<'a> {
+    title: String,
+    same: Option<String>,
+    description: &'a str,
+}
+
+impl<'a> Explained<'a> {
+    fn of(report: &Report, method: &'a MethodFigures) -> Self {
+        Self {
+            title: title(report, method.method),
+            same: method.same_mesh_as.map(|other| title(report, other)),
+            description: &method.description,
+        }
+    }
 }
 
 /// [`PageLinks`] as they stand in a page.
@@ -95,7 +113,8 @@ pub(super) struct Figure<'a> {
     /// What it is advised for.
     pub(super) advised: Option<&'static str>,
     pub(super) described: String,
-    pub(super) defects: &'a [MethodDefect],
+    /// What is wrong with it.
+    pub(super) defects: Vec<&'a str>,
     pub(super) thinned: Option<String>,
     pub(super) has_triangles: bool,
     /// Those that make it, if it is advised.
@@ -160,7 +179,7 @@ pub fn write_linked_html(
     let input_words = input.unwrap_or("DOMAIN.json");
     let (main_figures, other_figures) = figures(comparison, input_words);
     let page = Page {
-        title: report.domain.name.as_deref().or(input).unwrap_or("Domain"),
+        title: report.domain.name.as_deref().or(report.provenance.title()).unwrap_or("Domain"),
         provenance: &report.provenance,
         links: Links {
             index: links.index.as_deref().map(link),
@@ -188,8 +207,8 @@ pub fn write_linked_html(
         interior: tables::interior(report),
         sides: tables::sides(report),
         all_figures,
-        worst: tables::worst(&tables::named(report)),
-        methods: &report.methods,
+        worst: tables::worst(&titles::named(report)),
+        methods: report.methods.iter().map(|method| Explained::of(report, method)).collect(),
         data: script_safe(&data),
         script: SCRIPT,
     };
@@ -315,7 +334,7 @@ fn figures<'a>(comparison: &'a Comparison, input: &str) -> (Vec<Figure<'a>>, Vec
     let advised = advised(report);
     let mut main = Vec::new();
     let mut others = Vec::new();
-    for (place, named) in tables::named(report).into_iter().enumerate() {
+    for (place, named) in titles::named(report).into_iter().enumerate() {
         let method = named.figures;
         let triangles = comparison.triangles(named.place).len();
         let described = match method.max_degree.zip(method.min_angle) {
@@ -324,13 +343,14 @@ fn figures<'a>(comparison: &'a Comparison, input: &str) -> (Vec<Figure<'a>>, Vec
             }
             None => "no triangulation".to_owned(),
         };
+        let messages = method.defects.iter().map(|defect| &*defect.message);
         let place_advised = advised.iter().position(|(_, other)| *other == method.method);
         let figure = Figure {
             place,
             name: named.name,
             advised: place_advised.map(|place| advised_for(advised[place].0)),
             described,
-            defects: &method.defects,
+            defects: left_out(method).into_iter().chain(messages).collect(),
             thinned: thinned(triangles, MAX_DRAWN),
             has_triangles: triangles > 0,
             commands: advised
@@ -378,7 +398,7 @@ mod tests {
         let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(4); 4]).unwrap();
         let command = "mindeg compare 'a b.json' -o <x>".to_owned();
         let made_by = Provenance {
-            input: Some("a b.json".to_owned()),
+            input: Some("out/of here/a b.json".to_owned()),
             command: Some(command),
             ..Provenance::default()
         };
@@ -386,8 +406,12 @@ mod tests {
         let mut page = Vec::new();
         write_html(&comparison, &mut page).unwrap();
         let page = String::from_utf8(page).unwrap();
-        assert!(page.contains("<h1>a b.json</h1>"));
-        assert!(page.contains("mindeg mesh &#39;a b.json&#39; --keep-angle 95% -o mesh.obj"));
+        assert!(page.contains("<h1>a b</h1>"));
+        assert!(
+            page.contains(
+                "mindeg mesh &#39;out/of here/a b.json&#39; --keep-angle 95% -o mesh.obj"
+            )
+        );
         assert!(page.contains("<code>mindeg compare &#39;a b.json&#39; -o &#60;x&#62;</code>"));
     }
 

@@ -4,6 +4,7 @@
 
 use super::html::{commands, vertex_words};
 use super::tables::{self, Table};
+use super::titles::{self, title};
 use crate::Comparison;
 use crate::verdict::verdict;
 use mindeg_answers::numbers::count;
@@ -24,7 +25,7 @@ use std::io::{self, Write};
 /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?;
 /// let mut markdown = Vec::new();
 /// write_markdown(&compare(&domain, &CompareOptions::default())?, &mut markdown)?;
-/// assert!(String::from_utf8(markdown)?.contains("| mindeg and Exact, degree 4 | 4 |"));
+/// assert!(String::from_utf8(markdown)?.contains("| Least degree, largest angle | 4 |"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn write_markdown(comparison: &Comparison, mut out: impl Write) -> io::Result<()> {
@@ -63,7 +64,7 @@ pub fn write_markdown(comparison: &Comparison, mut out: impl Write) -> io::Resul
     for table in tables::metrics(report) {
         write_table(&mut out, 3, &table)?;
     }
-    for table in tables::worst(&tables::named(report)) {
+    for table in tables::worst(&titles::named(report)) {
         write_table(&mut out, 2, &table)?;
     }
     writeln!(out, "## Methods\n")?;
@@ -71,7 +72,7 @@ pub fn write_markdown(comparison: &Comparison, mut out: impl Write) -> io::Resul
         writeln!(
             out,
             "- **{}**: {}",
-            escaped(&method.method.to_string()),
+            escaped(&title(report, method.method)),
             escaped(&method.description)
         )?;
     }

@@ -7,6 +7,7 @@
 use super::scene::{MAX_DRAWN, Scene, Shown, max_degree_vertex};
 use super::svg::{self, DegreeColor};
 use super::tables;
+use super::titles;
 use crate::axis::{Axis, BARS};
 use crate::figures::MethodFigures;
 use crate::{Comparison, Method, measure};
@@ -89,7 +90,7 @@ struct Drawing {
 pub(crate) fn of_comparison(comparison: &Comparison) -> Picture {
     let report = comparison.report();
     let points = comparison.points(Method::Inside);
-    let meshes: Vec<_> = tables::named(report)
+    let meshes: Vec<_> = titles::named(report)
         .into_iter()
         .map(|named| {
             let triangles = comparison.triangles(named.place);

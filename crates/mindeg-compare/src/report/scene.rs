@@ -3,7 +3,7 @@
 //! Limits: of a mesh with more triangles than [`Scene::most_drawn`] at most so many go into the
 //! picture. Charts and tables always count all.
 
-use super::tables::Named;
+use super::titles::Named;
 use glam::{DVec2, DVec3};
 use mindeg::quality::TriangleQuality;
 use mindeg_answers::numbers::count;

@@ -1,12 +1,13 @@
 //! The tables of a report, ready to be written in any format.
 //!
-//! A mesh that several methods have appears once, under all their names. The numbers of a column
+//! A mesh that several methods have appears once. The numbers of a column
 //! share their decimals.
 //!
 //! Limits: where a method has very many different degrees, high ones are put together in
 //! ranges; the JSON has each.
 
 use super::Report;
+use super::titles::{Named, named};
 use crate::advised::advised;
 use crate::figures::{DefectKind, MethodFigures};
 use crate::{InteriorFigures, Method};
@@ -25,14 +26,6 @@ pub(crate) struct Table {
     pub(crate) rows: Vec<Vec<String>>,
 }
 
-/// A mesh, or a method without one, under the names of all methods that have it.
-pub(crate) struct Named<'a> {
-    /// The index of the first of these methods in the report.
-    pub(crate) place: usize,
-    pub(crate) name: String,
-    pub(crate) figures: &'a MethodFigures,
-}
-
 /// More different degrees than these are put together in ranges.
 const MAX_DEGREE_ROWS: usize = 16;
 
@@ -40,21 +33,6 @@ const MAX_DEGREE_ROWS: usize = 16;
 const DIGITS: i32 = 3;
 
 const NOTHING: &str = "–";
-
-/// The meshes of a report, each once, in the order of the methods.
-pub(crate) fn named(report: &Report) -> Vec<Named<'_>> {
-    let firsts = report.methods.iter().enumerate().filter(|(_, m)| m.same_mesh_as.is_none());
-    let named = firsts.map(|(place, figures)| {
-        let others = report.methods.iter().filter(|m| m.same_mesh_as == Some(figures.method));
-        let names: Vec<String> = [figures].into_iter().chain(others).map(name).collect();
-        Named { place, name: names.join(" and "), figures }
-    });
-    named.collect()
-}
-
-fn name(figures: &MethodFigures) -> String {
-    figures.method.to_string()
-}
 
 /// The figures that decide: a column each for the advised meshes, the mesh of least degree and Delaunay's.
 pub(crate) fn choice(report: &Report) -> Table {
@@ -73,7 +51,7 @@ pub(crate) fn choice(report: &Report) -> Table {
                 format!("Degree {} (for a patch)", count(figures.max_degree.unwrap_or(0)))
             }
             (_, Method::DELAUNAY) => "Delaunay".to_owned(),
-            _ => "mindeg, least degree".to_owned(),
+            _ => "Least degree".to_owned(),
         };
         columns.push((title, figures));
     }
@@ -130,7 +108,7 @@ pub(crate) fn overview(report: &Report) -> Table {
         title: "Overview".to_owned(),
         note: String::new(),
         columns: [
-            "Method".to_owned(),
+            "Mesh".to_owned(),
             "Maximum degree".to_owned(),
             format!("Vertices above {}", count(optimum)),
             "Minimum angle".to_owned(),
@@ -418,20 +396,6 @@ mod tests {
             interior: Vec::new(),
             verdict: String::new(),
         }
-    }
-
-    #[test]
-    fn a_mesh_appears_once_under_all_its_names() {
-        let mut report = report(&[4]);
-        let exact = Method::Exact { max_degree: 4 };
-        let same_mesh_as = Some(Method::LeastDegree);
-        let same = MethodFigures { method: exact, same_mesh_as, ..MethodFigures::default() };
-        let other = MethodFigures { method: Method::DELAUNAY, ..MethodFigures::default() };
-        report.methods.extend([other, same]);
-        let names: Vec<_> = named(&report).into_iter().map(|n| (n.place, n.name)).collect();
-        let expected = [(0, "mindeg and Exact, degree 4"), (1, "Delaunay")];
-        assert_eq!(names, expected.map(|(place, name)| (place, name.to_owned())));
-        assert_eq!(crate::advised::first_with_mesh_of(&report, exact), Method::LeastDegree);
     }
 
     #[test]

@@ -7,7 +7,8 @@ use super::html::{Figure, rendered, script_safe};
 use super::picture;
 use super::scene::{Scene, thinned};
 use super::svg;
-use super::tables::{self, Named, Table};
+use super::tables::{self, Table};
+use super::titles::Named;
 use super::viewer::{SCRIPT, SPACE_SCRIPT, STYLE};
 use crate::figures::MethodFigures;
 use crate::measure;
@@ -74,7 +75,7 @@ struct Page<'a> {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn write_view(mesh: &TriMesh, provenance: &Provenance, mut out: impl Write) -> io::Result<()> {
-    let title = mesh.name().or(provenance.input.as_deref()).unwrap_or("Mesh");
+    let title = mesh.name().or(provenance.title()).unwrap_or("Mesh");
     let (welded, merged) = welded(mesh)?;
     let positions = welded.positions();
     let triangles = welded.triangles();
@@ -135,7 +136,7 @@ pub fn write_view(mesh: &TriMesh, provenance: &Provenance, mut out: impl Write) 
             name: title.to_owned(),
             advised: None,
             described: described(&figures),
-            defects: &[],
+            defects: Vec::new(),
             thinned: thinned(triangles.len(), most_drawn),
             has_triangles: true,
             commands: Vec::new(),
