@@ -101,6 +101,29 @@ fn the_kind_of_a_side_reaches_fort_14_with_and_without_interior_points() {
 }
 
 #[test]
+fn markers_of_a_poly_are_physical_tags_of_an_msh_and_markers_again() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = |name: &str| folder.path().join(name).display().to_string();
+    let poly =
+        "4 2 0 0\n1 0 0\n2 4 0\n3 4 3\n4 0 3\n4 1\n1 1 2 20\n2 2 3 1\n3 3 4 20\n4 4 1 300\n0\n";
+    fs::write(at("plate.poly"), poly).expect("a file");
+    let names = "$PhysicalNames\n4\n1 20 \"marker 20\"\n1 1 \"marker 1\"\n1 300 \"marker 300\"\n2 2 \"plate\"\n";
+    let curves = "\n1 0 0 0 4 0 0 1 20 0\n2 4 0 0 4 3 0 1 1 0\n3 0 3 0 4 3 0 1 20 0\n4 0 0 0 0 3 0 1 300 0\n1 0 0 0 4 3 0 1 2 0\n";
+    let lines = "\n1 1 2 20 1 1 2\n2 1 2 1 2 2 3\n3 1 2 20 3 3 4\n4 1 2 300 4 4 1\n5 2 2 2 1 ";
+    for (version, elements) in [("4.1", curves), ("2.2", lines)] {
+        let options = ["--ascii", "--msh-version", version, "-q"];
+        let run = ["mesh", &at("plate.poly"), "-o", &at("mesh.msh")];
+        mindeg(run.into_iter().chain(options)).text();
+        let file = fs::read_to_string(at("mesh.msh")).expect("a mesh");
+        assert!(file.contains(names) && file.contains(elements), "{file}");
+        mindeg(["convert", &at("mesh.msh"), "-o", &at("again.node"), "-q"]).text();
+        let file = fs::read_to_string(at("again.poly")).expect("segments");
+        let segments = "\n0 2 0 1\n4 1\n 1 1 2 20\n 2 2 3 1\n 3 3 4 20\n 4 4 1 300\n0\n";
+        assert!(file.ends_with(segments), "{file}");
+    }
+}
+
+#[test]
 fn the_summary_in_json_is_that_of_the_mesh() {
     let folder = tempfile::tempdir().expect("a folder");
     let [source, ply, page] =

@@ -345,6 +345,30 @@ def mindeg_keeps_names(mindeg, file, expected):
     assert seen == expected.sides, f"{seen}, expected {expected.sides}"
 
 
+def markers_are_tags(mindeg, folder):
+    """Whether Gmsh and meshio see the markers of Triangle's segments as physical tags."""
+    import gmsh
+    import meshio
+
+    poly = folder / "markers.poly"
+    poly.write_text("4 2 0 0\n1 0 0\n2 4 0\n3 4 3\n4 0 3\n4 1\n1 1 2 20\n2 2 3 7\n3 3 4 20\n4 4 1 300\n0\n")
+    for suffix in ("-4.msh", "-2.msh"):
+        path = folder / f"markers{suffix}"
+        subprocess.run([mindeg, "mesh", poly, "-o", path, "--quiet", *FILES[suffix]], check=True)
+        mesh = meshio.read(path)
+        blocks = zip(mesh.cells, mesh.cell_data["gmsh:physical"])
+        tags = [int(tag) for block, tags in blocks if block.type == "line" for tag in tags]
+        assert sorted(tags) == [7, 20, 20, 300], f"meshio, {path.name}: {tags}"
+        gmsh.initialize(interruptible=False)
+        try:
+            gmsh.option.setNumber("General.Terminal", 0)
+            gmsh.open(str(path))
+            tags = [tag for _, tag in gmsh.model.getPhysicalGroups(1)]
+        finally:
+            gmsh.finalize()
+        assert tags == [7, 20, 300], f"Gmsh, {path.name}: {tags}"
+
+
 def meshes(mindeg, domains):
     """For each mesh its name, the command that makes it, and its domain."""
     for domain in domains:
@@ -362,6 +386,7 @@ def main():
     domains = [Path(name) for name in sys.argv[3:]] or sorted(DOMAINS.glob("*.json"))
     folder.mkdir(parents=True, exist_ok=True)
     tally = Tally()
+    tally.attempt("markers of a .poly in Gmsh and meshio", markers_are_tags, mindeg, folder)
 
     for name, command, domain in meshes(mindeg, domains):
         stem = folder / name

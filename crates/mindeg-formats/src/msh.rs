@@ -2,7 +2,8 @@
 //!
 //! Sides are physical groups of dimension 1 under their names, groups of triangles physical
 //! groups of dimension 2, and named vertices of dimension 0, so that a solver finds all. Sides of one name are one physical group. All
-//! physical tags differ, also between dimensions, since some programs forget the dimension. Vertices
+//! physical tags differ, also between dimensions, since some programs forget the dimension. A group that is called by a number, such as
+//! `marker 7` of Triangle, has it for its tag, unless one before it has. Vertices
 //! and elements count from 1; the elements are the segments of all sides, then the triangles, then the named vertices.
 //!
 //! With data fields, `degree` is node data. In 4.1 `min_angle` is element data in degrees: that of the

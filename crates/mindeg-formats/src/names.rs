@@ -3,8 +3,9 @@
 //! A mesh, its groups, lines and materials may be called anything. Every writer passes every name
 //! through one of these functions. Formats with strings of their own escape them there: JSON in glTF.
 
-use std::collections::HashMap;
 use std::collections::hash_map::Entry;
+use std::collections::{HashMap, HashSet};
+use std::ops::RangeInclusive;
 
 use crate::WriteError;
 
@@ -49,6 +50,33 @@ pub(crate) fn quoted(name: &str) -> String {
 /// A name as the text of an XML element.
 pub(crate) fn xml(name: &str) -> String {
     one_line(name).replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}
+
+/// The word before the number of a marker of Triangle in the name of a side.
+pub(crate) const MARKER: &str = "marker";
+/// The word before the number of an attribute of Triangle in the name of a group.
+pub(crate) const REGION: &str = "region";
+/// The word before the tag of a physical group of MSH that has no name.
+pub(crate) const PHYSICAL: &str = "physical";
+
+/// A number for each name, all different: N of `N`, or of `marker N` if that is one of the words, where N is allowed and not 0, and no name
+/// before has it; else the least ones from 1 on that are left. O(n) time.
+pub(crate) fn numbers<'a>(
+    names: impl IntoIterator<Item = &'a str>,
+    words: &[&str],
+    allowed: RangeInclusive<i64>,
+) -> Vec<i64> {
+    let mut taken = HashSet::from([0]);
+    let own = |name: &'a str| {
+        let word = words.iter().find_map(|word| name.strip_prefix(word)?.strip_prefix(' '));
+        let text = word.unwrap_or(name);
+        let number: i64 = text.parse().ok().filter(|number| allowed.contains(number))?;
+        // There is one way to write it: `07` is no number.
+        (number.to_string() == text && taken.insert(number)).then_some(number)
+    };
+    let own: Vec<Option<i64>> = names.into_iter().map(own).collect();
+    let mut free = (1..).filter(|number| !taken.contains(number));
+    own.into_iter().map(|own| own.or_else(|| free.next()).unwrap_or(1)).collect()
 }
 
 /// Refuses the name of a file beside this one that a text cannot hold: with line breaks or other
@@ -124,6 +152,18 @@ mod tests {
         let wanted = ["a", "b", "a", "a", "a_2", "a_5", "a", "a", "b_2", "b"];
         let made = wanted.map(|name| names.distinct(name.to_owned()));
         assert_eq!(made, ["a", "b", "a_2", "a_3", "a_2_2", "a_5", "a_4", "a_6", "b_2", "b_3"]);
+    }
+
+    #[test]
+    fn numbers_are_those_of_names_and_differ() {
+        let of =
+            |names: &[&str], allowed| numbers(names.iter().copied(), &[MARKER, PHYSICAL], allowed);
+        let names = ["wall", "marker 2", "2", "physical 5", "physical 2", "region 9", "marker 5"];
+        assert_eq!(of(&names, i64::MIN..=i64::MAX), [1, 2, 3, 5, 4, 6, 7]);
+        let names = ["marker -4", "marker 0", "9", "10", "07", "marker  7", "marker 7x", "+7", ""];
+        assert_eq!(of(&names, i64::MIN..=i64::MAX), [-4, 1, 9, 10, 2, 3, 4, 5, 6]);
+        assert_eq!(of(&names, 1..=9), [1, 2, 9, 3, 4, 5, 6, 7, 8]);
+        assert_eq!(of(&["99999999999999999999"], i64::MIN..=i64::MAX), [1]);
     }
 
     #[test]

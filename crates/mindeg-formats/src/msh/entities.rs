@@ -8,7 +8,7 @@ use mindeg_mesh::{Bounds, Mesh, NamedVertex};
 
 use crate::corners::{Corners, segments};
 use crate::mesh_name;
-use crate::names::{Names, quoted};
+use crate::names::{MARKER, Names, PHYSICAL, numbers, quoted};
 
 /// The entities of a mesh: a point for each named vertex, a curve for each line, a surface for each group.
 pub(super) struct Entities {
@@ -27,7 +27,7 @@ pub(super) struct Entity {
 }
 
 impl Entities {
-    /// O(g) for g lines and groups.
+    /// O(g) for g lines, groups and named vertices.
     pub(super) fn of(mesh: &dyn Mesh) -> Self {
         let mut physical_names = Vec::new();
         let mut physical =
@@ -56,7 +56,23 @@ impl Entities {
             elements: named.vertex..named.vertex + 1,
         };
         let points = named.iter().map(point).collect();
-        Self { points, curves, surfaces, physical_names }
+        let mut all = Self { points, curves, surfaces, physical_names };
+        all.renumber();
+        all
+    }
+
+    /// Gives physical groups that are called by a number that tag. Tags have 31 bits.
+    fn renumber(&mut self) {
+        let names = self.physical_names.iter().map(|(_, _, name)| &**name);
+        let tags = numbers(names, &[MARKER, PHYSICAL], 1..=i32::MAX.into());
+        let new = |tag: i32| tags[tag as usize - 1] as i32;
+        let entities = [&mut self.points, &mut self.curves, &mut self.surfaces];
+        for entity in entities.into_iter().flatten() {
+            entity.physical = new(entity.physical);
+        }
+        for (_, tag, _) in &mut self.physical_names {
+            *tag = new(*tag);
+        }
     }
 
     /// How many segments the curves have.
@@ -79,6 +95,7 @@ struct Physical<'a> {
 }
 
 impl Physical<'_> {
+    /// The tags count from 1, in the order of the groups.
     fn tag(&mut self, dimension: u8, name: &str) -> i32 {
         let name = self.of[usize::from(dimension)].of(name, quoted);
         let dimension = i32::from(dimension);

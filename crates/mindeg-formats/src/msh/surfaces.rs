@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap, TryReserveError};
 
 use crate::ReadError;
 use crate::lists::push;
+use crate::names::PHYSICAL;
 use crate::runs::PlaneSurface;
 use crate::scanner::Scanner;
 
@@ -127,7 +128,7 @@ pub(super) fn physical_name(
 ) -> String {
     match names.get(&(dimension, tag)) {
         Some(name) if !name.trim().is_empty() => name.clone(),
-        _ => format!("physical {tag}"),
+        _ => format!("{PHYSICAL} {tag}"),
     }
 }
 

@@ -1,8 +1,8 @@
 //! Reading .node, .ele and .poly.
 
-use super::write::REGION;
 use crate::facts::Source;
 use crate::lists::push;
+use crate::names::{MARKER, REGION};
 use crate::numbered::{Named, Nodes, Numbered};
 use crate::records::{Records, Words};
 use crate::words::number;
@@ -274,7 +274,7 @@ impl Poly {
 
     /// The name of a line of segments.
     fn name(&self, marker: i64) -> String {
-        self.names.get(&marker).cloned().unwrap_or_else(|| format!("marker {marker}"))
+        self.names.get(&marker).cloned().unwrap_or_else(|| format!("{MARKER} {marker}"))
     }
 }
 

@@ -3,19 +3,15 @@
 use crate::boundary::{MarkedChain, MarkedChains};
 use crate::corners::{positions, segments};
 use crate::made_by;
-use crate::names::one_line;
+use crate::names::{MARKER, PHYSICAL, REGION, numbers, one_line};
 use crate::numbers::Numbers;
 use crate::sections::Section;
 use crate::tables::{NamedRuns, corners_from_one, from_one, numbered_lines};
 use mindeg_mesh::{ByName, Mesh};
-use std::collections::{BTreeMap, HashSet};
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::ops::Range;
 use std::sync::Arc;
-
-/// The words before a number in the names of sides and groups that are called by it.
-pub(super) const MARKER: &str = "marker";
-pub(super) const REGION: &str = "region";
 
 /// Each file from front to back.
 pub(crate) fn sections(mesh: &dyn Mesh) -> [Vec<Section<'_>>; 3] {
@@ -23,22 +19,16 @@ pub(crate) fn sections(mesh: &dyn Mesh) -> [Vec<Section<'_>>; 3] {
     let points = mesh.named_vertices();
     let names = boundary.names.iter().chain(points.iter().map(|point| &point.name));
     let ByName { names, of } = ByName::new(names);
-    let markers: Arc<[i64]> = numbers(&names, MARKER, 1).into();
+    let markers: Arc<[i64]> = numbered(&names, MARKER).into();
     let of_points = points.iter().zip(&of[boundary.names.len()..]);
     let points = of_points.map(|(point, name)| (point.vertex, markers[*name as usize])).collect();
     let poly = poly(mesh, &boundary, &names, &markers);
     [node(mesh, boundary, markers, points), ele(mesh), poly]
 }
 
-/// The numbers of names: N of "marker N", else the least ones from `first` on that are left.
-fn numbers(names: &[String], word: &str, first: i64) -> Vec<i64> {
-    let own = |name: &String| {
-        let number = name.strip_prefix(word)?.strip_prefix(' ')?;
-        number.parse().ok().filter(|own: &i64| *own != 0 && own.to_string() == number)
-    };
-    let taken: HashSet<i64> = names.iter().filter_map(own).collect();
-    let mut free = (first..).filter(|number| !taken.contains(number));
-    names.iter().map(|name| own(name).or_else(|| free.next()).unwrap_or(first)).collect()
+/// The numbers of names, which count in 64 bits.
+fn numbered(names: &[String], word: &str) -> Vec<i64> {
+    numbers(names.iter().map(String::as_str), &[word, PHYSICAL], i64::MIN..=i64::MAX)
 }
 
 fn node<'a>(
@@ -61,7 +51,7 @@ fn node<'a>(
 
 fn ele(mesh: &dyn Mesh) -> Vec<Section<'_>> {
     let groups = NamedRuns::of_groups(mesh);
-    let attributes = numbers(&groups.names, REGION, 1);
+    let attributes = numbered(&groups.names, REGION);
     let has_attributes = attributes.len() > 1 || attributes.first().is_some_and(|one| *one != 1);
     let (count, columns) = (mesh.triangle_count(), u8::from(has_attributes));
     let rows = move |range: Range<u32>| {
