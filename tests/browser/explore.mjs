@@ -374,6 +374,53 @@ test("a count and a spacing law are changed", async () => {
   await page.context().close();
 });
 
+test("a straight side becomes an arc and straight again, with undo", async () => {
+  const page = await openNew();
+  const side = async (place) => JSON.parse((await downloaded(page, "#save")).bytes).sides?.[place] ?? {};
+  for (const [preset, name, place] of [["figure-1", "bottom", 0], ["figure-1", "left", 3]]) {
+    await choose(page, preset);
+    const straight = await figures(page);
+    const shape = page.getByLabel(`Shape of ${name}`, { exact: true });
+    const rise = page.getByLabel(`Rise of the arc of ${name}, outwards`, { exact: true });
+    assert.equal(await shape.inputValue(), "straight");
+    assert.equal(await rise.isVisible(), false);
+    await shape.selectOption("arc");
+    await answered(page);
+    const first = Number(await rise.inputValue());
+    assert.ok(first > 0, `${first}`);
+    await rise.fill("-0.3");
+    await page.keyboard.press("Enter");
+    await answered(page);
+    // Into the domain: up from the bottom, right from the left side.
+    const through = (await side(place)).arc.through;
+    assert.deepEqual([through.length, through[name === "bottom" ? 1 : 0]], [2, 0.3]);
+    assert.equal(await text(page, "#trouble-text"), "");
+    // The mesh follows, and goes back.
+    assert.notDeepEqual(await figures(page), straight);
+    await page.keyboard.press("Control+z");
+    await answered(page);
+    assert.equal(Number(await rise.inputValue()), first);
+    await shape.selectOption("straight");
+    await answered(page);
+    assert.equal((await side(place)).arc, undefined);
+    for (let step = 0; step < 2; step++) await page.keyboard.press("Control+z");
+    await answered(page);
+    assert.equal(await shape.inputValue(), "straight");
+    assert.deepEqual(await figures(page), straight);
+  }
+  // An arc about a center, and one of more than half a circle, are told by their rise.
+  for (const [center, rise] of [[0, 1], [0.75, 2], [-0.75, 0.5]]) {
+    const name = `disk ${center}`;
+    const disk = { name, polygon: { corners: [[1, 0], [-1, 0]] },
+      sides: [{ intervals: 7, name: "dome", arc: { center: [0, center] } }, { intervals: 4, name: "floor" }] };
+    await page.locator("#file").setInputFiles({ name: "disk.json", mimeType: "application/json", buffer: Buffer.from(JSON.stringify(disk)) });
+    await page.waitForFunction((name) => document.querySelector("#title").textContent === name, name);
+    await answered(page);
+    assert.equal(await page.getByLabel("Rise of the arc of dome, outwards", { exact: true }).inputValue(), String(rise));
+  }
+  await page.context().close();
+});
+
 test("changes that come faster than the answers are all made", async () => {
   const page = await open();
   const before = await facts(page);

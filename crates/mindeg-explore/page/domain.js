@@ -176,6 +176,44 @@ export function changeSide(domain, shown, side, change) {
   return changed;
 }
 
+/** The ends of a side, and half the way between them with a step out of the ring: of length 1, or none for a full circle. */
+function chordOf(shown, { ring, start, intervals }) {
+  const [first, end] = [shown.rings[ring], shown.rings[ring + 1]];
+  const at = (vertex) => point(shown, first + ((vertex - first) % (end - first)));
+  let area = 0;
+  for (let vertex = first; vertex < end; vertex++) {
+    const [[x, y], [nextX, nextY]] = [at(vertex), at(vertex + 1)];
+    area += x * nextY - y * nextX;
+  }
+  const [a, b] = [at(start), at(start + intervals)];
+  const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
+  const turn = Math.sign(area) / (length || 1);
+  return { a, b, length, out: [(b[1] - a[1]) * turn, (a[0] - b[0]) * turn], middle: at(start + Math.floor(intervals / 2)) };
+}
+
+/** How far the middle of an arc is from the line between its ends: above 0 out of its ring, below 0 into it. */
+export function riseOf(domain, shown, side) {
+  const { a, b, length, out, middle } = chordOf(shown, side);
+  const [x, y] = sideOf(domain, shown, side).arc?.through ?? middle;
+  const [toA, toB] = [a, b].map(([endX, endY]) => [endX - x, endY - y]);
+  // The angle in which the arc sees its ends is the same from everywhere on it.
+  const angle = Math.abs(Math.atan2(toA[0] * toB[1] - toA[1] * toB[0], toA[0] * toB[0] + toA[1] * toB[1]));
+  const isOut = (x - a[0]) * out[0] + (y - a[1]) * out[1] > 0;
+  return tidy(((isOut ? 1 : -1) * length * Math.tan((Math.PI - angle) / 2)) / 2, largest(shown));
+}
+
+/** What a first arc rises: enough to be seen; 0 where there is no line that it could rise from. */
+export const firstRise = (shown, side) => Number((chordOf(shown, side).length / 8).toPrecision(3));
+
+/** Makes an arc of a side; a straight side where nothing rises. */
+export function bendSide(domain, shown, side, rise) {
+  const { a, b, out } = chordOf(shown, side);
+  const reach = largest(shown) + Math.max(...shown.center.map(Math.abs));
+  const through = [0, 1].map((axis) => tidy((a[axis] + b[axis]) / 2 + rise * out[axis], reach));
+  const arc = rise ? { through } : undefined;
+  return changeSide(withPolygon(domain, shown), shown, side, { arc, bezier: undefined, polyline: undefined });
+}
+
 /** The description of a side in the JSON. */
 export function sideOf(domain, shown, side) {
   return sidesHolder(domain, side.ring).sides?.[sidePlace(domain, shown, side)] ?? {};

@@ -1,6 +1,6 @@
-// The table of the sides: how many intervals, and how they are spaced.
+// The table of the sides: how many intervals, how they are spaced, and whether they are straight.
 
-import { changeSide, isKnown, isPoints, sideOf } from "./domain.js";
+import { bendSide, changeSide, firstRise, isKnown, isPoints, riseOf, sideOf } from "./domain.js";
 import { indexedSides } from "./editor.js";
 import { shown, state } from "./state.js";
 
@@ -17,6 +17,14 @@ const LAWS = {
   last_length: { title: "last length", label: "length" },
   parameters: { title: "as given" },
 };
+
+/** How a side runs from corner to corner. */
+const SHAPES = { straight: "straight", arc: "arc", given: "as given" };
+
+function shapeOf({ arc, bezier, polyline, points }) {
+  if (bezier || polyline || points) return "given";
+  return arc ? "arc" : "straight";
+}
 
 /** What ocean models take a side for. */
 const KINDS = { "": "no kind", open: "open water", land: "mainland", island: "island" };
@@ -69,7 +77,7 @@ export class SidesTable {
         "This boundary is a list of points, which come back as they are: it has no counts. Its points can be dragged, added and removed." }));
       return;
     }
-    const headings = ["Side", "Intervals", "Spacing", "Name and kind"].map((text) => make("th", { scope: "col", textContent: text }));
+    const headings = ["Side", "Intervals", "Shape", "Spacing", "Name and kind"].map((text) => make("th", { scope: "col", textContent: text }));
     const table = make("table", {}, make("thead", {}, make("tr", {}, ...headings)), make("tbody", {}, ...this.rows.map(({ line }) => line)));
     const parts = [make("div", { className: "scroll" }, table)];
     if (this.sides.length > ROWS) {
@@ -92,14 +100,18 @@ export class SidesTable {
     const law = make("select");
     law.append(...Object.entries(LAWS).map(([value, { title }]) => new Option(title, value)));
     const value = make("input", { type: "number", step: "any", className: "count" });
+    const shape = make("select");
+    shape.append(...Object.entries(SHAPES).map(([value, text]) => new Option(text, value)));
+    const rise = make("input", { type: "number", step: "any", className: "count", title: "how far the arc rises outwards" });
     const title = make("input", { type: "text", placeholder: "name" });
     const kind = make("select");
     kind.append(...Object.entries(KINDS).map(([value, text]) => new Option(text, value)));
     const line = make("tr", {}, make("th", { scope: "row" }, name),
       make("td", {}, make("span", { className: "stepper" }, fewer, intervals, more)),
+      make("td", {}, make("span", { className: "law" }, shape, rise)),
       make("td", {}, make("span", { className: "law" }, law, value)),
       make("td", {}, make("span", { className: "law" }, title, kind)));
-    const row = { line, name, intervals, fewer, more, law, value, title, kind, side: null };
+    const row = { line, name, intervals, fewer, more, shape, rise, law, value, title, kind, side: null };
     title.addEventListener("change", () => this.change(row.side, { name: title.value.trim() || undefined }));
     kind.addEventListener("change", () => this.change(row.side, { kind: kind.value || undefined }));
     name.addEventListener("click", () => this.choose(row.side));
@@ -118,6 +130,11 @@ export class SidesTable {
       const { first } = LAWS[law.value];
       this.change(row.side, { spacing: spacingOf(law.value, first ?? this.meanLength(row.side)) });
     });
+    shape.addEventListener("change", () =>
+      this.bend(row.side, shape.value === "arc" ? firstRise(shown.domain, row.side) : 0));
+    rise.addEventListener("change", () => {
+      if (Number.isFinite(rise.valueAsNumber)) this.bend(row.side, rise.valueAsNumber);
+    });
     value.addEventListener("change", () => {
       if (Number.isFinite(value.valueAsNumber)) this.change(row.side, { spacing: spacingOf(law.value, value.valueAsNumber) });
     });
@@ -135,6 +152,10 @@ export class SidesTable {
     if (isKnown(state.domain, shown.domain)) this.apply(changeSide(state.domain, shown.domain, side, change));
   }
 
+  bend(side, rise) {
+    if (isKnown(state.domain, shown.domain)) this.apply(bendSide(state.domain, shown.domain, side, rise));
+  }
+
   fill(row, side, isChosen) {
     const told = now(side);
     const { law, value } = lawOf(told);
@@ -149,6 +170,10 @@ export class SidesTable {
     set(row.intervals, String(side.intervals));
     set(row.law, law);
     set(row.value, value === null ? "" : String(value));
+    const shape = shapeOf(told);
+    set(row.shape, shape);
+    set(row.rise, shape === "arc" ? String(Number(riseOf(state.domain, shown.domain, side).toPrecision(6))) : "");
+    row.shape.options[Object.keys(SHAPES).indexOf("given")].hidden = shape !== "given";
     set(row.title, told.name ?? "");
     set(row.kind, told.kind ?? "");
     row.title.ariaLabel = `Name of ${side.name}`;
@@ -157,6 +182,12 @@ export class SidesTable {
     row.value.hidden = !label;
     row.law.options[Object.keys(LAWS).indexOf("parameters")].hidden = law !== "parameters";
     for (const control of [row.intervals, row.fewer, row.law, row.more, row.value]) control.disabled = isFixed;
+    // A full circle has no ends between which it could be straight, and one interval shows no arc.
+    const isBound = isFixed || !firstRise(shown.domain, side);
+    row.rise.hidden = shape !== "arc" || isBound;
+    row.shape.disabled = isBound || (shape === "straight" && side.intervals < 2);
+    row.shape.ariaLabel = `Shape of ${side.name}`;
+    row.rise.ariaLabel = `Rise of the arc of ${side.name}, outwards`;
     row.fewer.disabled ||= side.intervals < 2;
     row.intervals.ariaLabel = `Intervals of ${side.name}`;
     row.fewer.ariaLabel = `One interval less on ${side.name}`;
