@@ -813,10 +813,14 @@ test("the address brings the domain and the choices back", async () => {
   await page.getByLabel("One interval more on root-rib").click();
   await answered(page);
   await page.waitForFunction(() => location.hash.includes("/"));
-  await page.waitForFunction(async () => {
+  await page.evaluate(async () => {
     const [{ state }, { getJson }] = await Promise.all(["state", "server"].map((name) => import(`/page/${name}.js`)));
-    const kept = await getJson(`/api/state/${location.hash.split("/")[1]}`).catch(() => null);
-    return JSON.stringify(kept) === JSON.stringify(state);
+    const kept = () => getJson(`/api/state/${location.hash.split("/")[1]}`).catch(() => null);
+    const end = performance.now() + 20_000;
+    while (JSON.stringify(await kept()) !== JSON.stringify(state)) {
+      if (performance.now() > end) throw new Error("what is on the page is not kept");
+      await new Promise((done) => setTimeout(done, 50));
+    }
   });
   const [before, caption] = [await facts(page), await figures(page)];
   const other = await openIn(page.context(), page.url());

@@ -14,7 +14,7 @@ const ROUNDING: f64 = 12.0 * f64::EPSILON * 180.0 / std::f64::consts::PI;
 
 /// Each is meshed with points inside, too, which takes most of the time.
 const DOMAINS: usize = 24;
-/// So many are tried with `MINDEG_FULL`, which takes minutes.
+/// With `MINDEG_FULL`, which takes a minute.
 const ALL_DOMAINS: usize = 400;
 
 /// SplitMix64 (Steele, Lea and Flood, 2014): the same domains on every machine and in every
