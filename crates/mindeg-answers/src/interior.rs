@@ -1,7 +1,8 @@
 //! The properties of a mesh with interior points.
 
+use crate::names::{NAMED, listed};
 use crate::numbers::{four_digits, percent, steady_angle};
-use crate::proven::{CertifiedAnswer, NAMED, TogetherAnswer, certified, together};
+use crate::proven::{CertifiedAnswer, TogetherAnswer, certified, together};
 use crate::sizes::{CoarseAnswer, SizeAnswer};
 use mindeg::Interior;
 use mindeg::interior::{CornerTradeOff, InteriorMesh, InteriorReport, LocalShares, Violation};
@@ -331,17 +332,13 @@ fn named<'a>(violations: impl Iterator<Item = &'a Violation>) -> Option<String> 
         let kind = if violation.is_boundary { "boundary" } else { "interior" };
         format!("vertex {} at ({x}, {y}) has {} ({kind})", violation.vertex, violation.degree)
     };
-    let mut places: Vec<String> = violations.map(place).collect();
-    let are = match places.len() {
+    let violations: Vec<&Violation> = violations.collect();
+    let are = match violations.len() {
         0 => return None,
         1 => "1 vertex has a degree".to_owned(),
         count => format!("{count} vertices have degrees"),
     };
-    if places.len() > NAMED {
-        places.truncate(NAMED);
-        places.push("…".to_owned());
-    }
-    Some(format!("{are} outside the range: {}", places.join(", ")))
+    Some(format!("{are} outside the range: {}", listed(violations.into_iter().map(place), ", ")))
 }
 
 #[cfg(test)]

@@ -27,6 +27,17 @@ pub fn part_name(index: usize, domain: &Domain) -> String {
     }
 }
 
+/// How many places a text names.
+pub(crate) const NAMED: usize = 5;
+
+/// The first of some places, and an ellipsis for the others.
+pub(crate) fn listed(places: impl IntoIterator<Item = String>, between: &str) -> String {
+    let mut places = places.into_iter();
+    let mut named: Vec<String> = places.by_ref().take(NAMED).collect();
+    named.extend(places.next().map(|_| "…".to_owned()));
+    named.join(between)
+}
+
 /// How many names the regions of domains have, each counted once.
 #[must_use]
 pub fn region_count<'d>(domains: impl Iterator<Item = &'d Domain>) -> usize {

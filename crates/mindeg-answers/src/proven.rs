@@ -1,11 +1,9 @@
 //! Degree limits that no mesh keeps, with their proofs.
 
+use crate::names::listed;
 use crate::numbers::{four_digits, percent};
 use mindeg::interior::{CertifiedVertex, InteriorReport, TogetherBound};
 use serde::Serialize;
-
-/// How many places a text names.
-pub(crate) const NAMED: usize = 5;
 
 /// A vertex at which so many edges meet that stay, of the boundary and of lines, that no mesh keeps its degree limit.
 #[derive(Clone, Debug, Serialize)]
@@ -71,15 +69,10 @@ pub(crate) fn together(report: &InteriorReport) -> Option<String> {
         let (names, share) = (names.join(" and "), percent(bound.share));
         format!("{} at {vertices} {names} at ({x}, {y}) (with {share})", bound.more)
     };
-    let mut places: Vec<String> = report.together.iter().map(place).collect();
-    if places.is_empty() {
+    if report.together.is_empty() {
         return None;
     }
-    if places.len() > NAMED {
-        places.truncate(NAMED);
-        places.push("…".to_owned());
-    }
-    let places = places.join(", ");
+    let places = listed(report.together.iter().map(place), ", ");
     Some(format!(
         "No mesh with so much of the angles there has fewer edges above the limits: {places}"
     ))
@@ -96,15 +89,10 @@ pub(crate) fn certified(report: &InteriorReport) -> Option<String> {
             edges.len()
         )
     };
-    let mut places: Vec<String> = report.certified.iter().map(place).collect();
-    let limits = match places.len() {
+    let limits = match report.certified.len() {
         0 => return None,
         1 => "the degree limit of 1 vertex".to_owned(),
         count => format!("the degree limits of {count} vertices"),
     };
-    if places.len() > NAMED {
-        places.truncate(NAMED);
-        places.push("…".to_owned());
-    }
-    Some(format!("No mesh keeps {limits}: {}", places.join(", ")))
+    Some(format!("No mesh keeps {limits}: {}", listed(report.certified.iter().map(place), ", ")))
 }

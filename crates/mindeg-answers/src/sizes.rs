@@ -1,11 +1,9 @@
 //! The sizes of a mesh with interior points, and where the boundary contradicts those asked for.
 
+use crate::names::listed;
 use crate::numbers::{four_digits, percent};
 use mindeg::interior::{CoarseSide, InteriorMesh, InteriorReport, SizeReport};
 use serde::Serialize;
-
-/// How many sides a text names.
-const NAMED: usize = 5;
 
 /// The edges that were chosen beside the sizes wanted.
 #[derive(Clone, Debug, Serialize)]
@@ -80,21 +78,18 @@ pub fn coarse_sides(found: &InteriorMesh) -> Option<String> {
             side.intervals,
         )
     };
-    let mut places: Vec<String> = found.coarse_sides.iter().take(NAMED).map(place).collect();
-    if places.is_empty() {
+    if found.coarse_sides.is_empty() {
         return (found.report.interior_points == 0).then(|| {
             "No point fits inside: the boundary is never divided. --size S divides its sides into intervals of length S."
                 .to_owned()
         });
     }
-    if found.coarse_sides.len() > NAMED {
-        places.push("…".to_owned());
-    }
+    let places = listed(found.coarse_sides.iter().map(place), "; ");
     let least = found.coarse_sides.iter().map(|side| side.size).fold(f64::INFINITY, f64::min);
     Some(format!(
         "warning: the boundary and lines are never divided, and too coarse for the sizes asked for: {}. Give these \
          sides more intervals, or all of them --size {}.",
-        places.join("; "),
+        places,
         four_digits(least)
     ))
 }
