@@ -86,15 +86,18 @@ fn text(file: &str, mesh: &TriMesh, improved: &ImprovedMesh) -> String {
         grading(after),
     ];
     lines.extend(corners(after));
-    let mut note = |count: usize, text: &str| {
+    let mut note = |count: u64, text: &str| {
         if count > 0 {
             lines.push(format!("{count} {text}"));
         }
     };
-    note(*merged, "vertices at the place of an earlier one were merged with it.");
-    note(*kept_edges, "edges inside were kept, since groups meet there or lines run along them.");
+    note(*merged as u64, "vertices at the place of an earlier one were merged with it.");
+    note(
+        *kept_edges as u64,
+        "edges inside were kept, since groups meet there or lines run along them.",
+    );
     let others = mesh.non_triangles();
-    note((others.quads + others.polygons) as usize, "larger faces were cut into triangles.");
+    note(others.quads + others.polygons, "larger faces were cut into triangles.");
     lines.extend(violations(after).map(|violations| format!("warning: {violations}")));
     lines.join("\n")
 }

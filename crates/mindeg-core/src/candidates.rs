@@ -131,7 +131,9 @@ impl<'a> Candidates<'a> {
                 (construction(cut).dominant_side(shift), None)
             }
             Family::CornerRemoval { cut, heavy, first, corners } => {
-                let corner = corners.start + index as usize;
+                let index =
+                    usize::try_from(index).expect("a family has fewer candidates than corners");
+                let corner = corners.start + index;
                 construction(cut).corner_removal(corner, *heavy, *first)
             }
         };

@@ -147,7 +147,8 @@ fn check_edges(edges: &[[u32; 2]], vertices: u64) -> Result<Vec<u32>, Defect> {
     let next = |vertex: u32| if u64::from(vertex) + 1 == vertices { 0 } else { vertex + 1 };
     let is_boundary_edge = |[from, to]: [u32; 2]| next(from) == to;
 
-    let mut has_boundary_edge = alloc::vec![false; vertices as usize];
+    let count = usize::try_from(vertices).expect("as many triangles are in memory");
+    let mut has_boundary_edge = alloc::vec![false; count];
     for &edge in edges.iter().filter(|&&edge| is_boundary_edge(edge)) {
         has_boundary_edge[edge[0] as usize] = true;
     }
@@ -158,7 +159,7 @@ fn check_edges(edges: &[[u32; 2]], vertices: u64) -> Result<Vec<u32>, Defect> {
         )));
     }
 
-    let mut degrees = alloc::vec![2_u32; vertices as usize];
+    let mut degrees = alloc::vec![2_u32; count];
     for same in edges.chunk_by(|&[a, b], &edge| edge == [a, b] || edge == [b, a]) {
         if let Some(pair) = same.windows(2).find(|pair| pair[0] == pair[1]) {
             let [from, to] = pair[0];

@@ -130,7 +130,8 @@ pub(crate) fn write_counted(
     sections: &[Section<'_>],
     written: &Counter<'_>,
 ) -> io::Result<()> {
-    let threads = thread_count().min(block_count(sections)).max(1) as usize;
+    let blocks = usize::try_from(block_count(sections)).unwrap_or(usize::MAX);
+    let threads = thread_count().min(blocks).max(1);
     // The file goes round: each thread has the end of the channel that it gets the file from, and the
     // beginning of the next thread's. Whoever ends early drops both, so that all others end as well.
     let (mut hand_on, turns): (Vec<_>, Vec<_>) =
@@ -167,9 +168,9 @@ pub(crate) fn write_counted(
 }
 
 /// How many threads may format at the same time.
-fn thread_count() -> u64 {
+fn thread_count() -> usize {
     #[cfg(feature = "parallel")]
-    return rayon::current_num_threads() as u64;
+    return rayon::current_num_threads();
     #[cfg(not(feature = "parallel"))]
     return 1;
 }

@@ -271,10 +271,11 @@ impl Work<'_> {
 
     /// Mends degrees by chains of operations.
     fn mend_degrees(&self, disc: &ArrayMesh, best: &mut Best, effort: u64, left: &mut usize) {
+        let most = usize::try_from(effort).map_or(usize::MAX, |effort| CHAIN * effort);
         let (mut mesh, mut excess) = (disc.clone(), self.worth(disc).excess);
         while excess > 0 && *left > 0 {
             let mut least: Option<(Worth, ArrayMesh)> = None;
-            for mut mesh in chains(&mesh, &self.weights, CHAIN * effort as usize, left) {
+            for mut mesh in chains(&mesh, &self.weights, most, left) {
                 settle_all(&mut mesh, &self.weights);
                 let all = mesh.vertices.len();
                 let (steps, mut random) = (STEPS_AFTERWARDS, Random::new(0));
@@ -302,7 +303,8 @@ impl Work<'_> {
         left: &mut usize,
         stage: &mut Stage<'_>,
     ) -> Result<(), Cancelled> {
-        let mut pairs = Pairs { vertices: vertices as usize, firsts: 2, trials: 0, most: *left };
+        let vertices = usize::try_from(vertices).unwrap_or(usize::MAX);
+        let mut pairs = Pairs { vertices, firsts: 2, trials: 0, most: *left };
         pairs_of_operations(mesh, &self.weights, &mut pairs, &mut Failed::new(), stage)?;
         *left = left.saturating_sub(pairs.trials);
         Ok(())

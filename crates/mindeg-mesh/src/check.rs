@@ -148,7 +148,7 @@ pub fn triangulation_around(
         return Err(CheckError::NotCounterClockwise { triangle });
     }
     let mut degrees = vec![0; vertices];
-    for vertex in edges.into_iter().flat_map(|edge| [edge >> 32, edge & u64::from(u32::MAX)]) {
+    for vertex in edges.into_iter().flat_map(|edge| [(edge >> 32) as u32, edge as u32]) {
         degrees[vertex as usize] += 1;
     }
     let max_degree = degrees.iter().copied().max().unwrap_or(0);

@@ -28,7 +28,7 @@ use crate::error::OutlineError;
 /// a plane of equal z.
 pub(super) fn read_msh(bytes: &[u8]) -> Result<Outlines, OutlineError> {
     let file = msh::read_lines(bytes)?;
-    let others = counted(file.others as usize, "other element");
+    let others = counted(usize::try_from(file.others).unwrap_or(usize::MAX), "other element");
     if file.segments.is_empty() {
         let problem = format!(
             "the file has no line elements, only {others}; mesh the curves with gmsh -1, and save all \

@@ -103,7 +103,8 @@ fn drawn_triangles(scene: &Scene, mesh: &Named, triangles: &[[u32; 3]]) -> Vec<u
     drawn.truncate(most / 4);
     drawn.extend(mesh.figures.worst_triangles.iter().map(|worst| worst.triangle as usize));
     let others = most - drawn.len();
-    drawn.extend((0..others).map(|i| (i as u64 * count as u64 / others as u64) as usize));
+    let even = (0..others as u64).map(|i| i * count as u64 / others as u64);
+    drawn.extend(even.map(|triangle| usize::try_from(triangle).expect("an index below `count`")));
     drawn.sort_unstable();
     drawn.dedup();
     drawn

@@ -128,7 +128,8 @@ impl Search<'_> {
         if self.capacities.is_some_and(|capacities| !capacities.is_possible) {
             return Ok(None);
         }
-        let mut table = vec![BLOCKED; self.table_len() as usize];
+        let len = usize::try_from(self.table_len()).expect("longer tables are refused before");
+        let mut table = vec![BLOCKED; len];
         let mut best = (BLOCKED, None);
         for (done, &start) in self.starts.iter().enumerate() {
             progress.report("looking for a strip", done as u64, self.starts.len() as u64)?;

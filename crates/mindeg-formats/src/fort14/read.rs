@@ -56,11 +56,12 @@ pub fn read(input: impl BufRead) -> Result<TriMesh, ReadError> {
         let mut words = records.expect("its last element")?;
         words.count("the number of the element")?;
         let count = words.count("the number of corners")?;
-        if !matches!(count, 3 | 4) {
-            return Err(words.problem(format!("the element has {count} corners, not 3 or 4")));
-        }
         let mut corners = [0; 4];
-        let corners = &mut corners[..count as usize];
+        let corners = match count {
+            3 => &mut corners[..3],
+            4 => &mut corners[..],
+            _ => return Err(words.problem(format!("the element has {count} corners, not 3 or 4"))),
+        };
         for corner in corners.iter_mut() {
             *corner = words.id()?;
         }

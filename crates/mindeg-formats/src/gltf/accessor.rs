@@ -113,8 +113,9 @@ impl<'a> Arrays<'a> {
         let start = Start { view: sparse.values.buffer_view, offset: sparse.values.byte_offset };
         let items = self.items(place(), start, sparse.count, component, components)?;
         for (bytes, item) in indices.zip(items) {
-            let (index, count) = (bits(bytes, false) as usize, values.len());
-            let value = values.get_mut(index).ok_or_else(|| {
+            let (index, count) = (bits(bytes, false), values.len());
+            let value = usize::try_from(index).ok().and_then(|index| values.get_mut(index));
+            let value = value.ok_or_else(|| {
                 ReadError::place(place(), format!("has the index {index}, and {count} items"))
             })?;
             *value = decode(item);
@@ -173,10 +174,10 @@ impl<'a> Arrays<'a> {
                  item; both must be multiples of {unit}"
             )));
         }
-        // All of it is within the buffer.
-        let (start, stride) = (start as usize, stride as usize);
+        let [start, stride, count] = [start, stride, count.0]
+            .map(|bytes| usize::try_from(bytes).expect("all of it is within the buffer"));
         let bytes = &bytes[start..];
-        Ok((0..count.0 as usize).map(move |i| &bytes[i * stride..][..size]))
+        Ok((0..count).map(move |i| &bytes[i * stride..][..size]))
     }
 }
 

@@ -90,12 +90,14 @@ pub(super) fn buffers<'a>(
             let problem = format!("is {expected} bytes long, of which {found} are there");
             return Err(ReadError::place(place(), problem));
         }
-        buffers.push(bytes.map(|bytes| match bytes {
-            // No buffer is longer than what was found.
-            Cow::Borrowed(bytes) => Cow::Borrowed(&bytes[..expected as usize]),
-            Cow::Owned(mut bytes) => {
-                bytes.truncate(expected as usize);
-                Cow::Owned(bytes)
+        buffers.push(bytes.map(|bytes| {
+            let len = usize::try_from(expected).expect("no buffer is longer than what was found");
+            match bytes {
+                Cow::Borrowed(bytes) => Cow::Borrowed(&bytes[..len]),
+                Cow::Owned(mut bytes) => {
+                    bytes.truncate(len);
+                    Cow::Owned(bytes)
+                }
             }
         }));
     }

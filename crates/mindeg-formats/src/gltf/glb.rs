@@ -62,8 +62,13 @@ fn sections<'a>(arrays: &Arrays<'a>) -> Result<Vec<Section<'a>>, WriteError> {
     let len = arrays.layout.binary_len();
     let mut sections = vec![Section::bytes(head(arrays)?)];
     sections.extend(arrays.sections());
-    let padding = len.next_multiple_of(4) - len;
-    sections.push(Section::bytes(&[0; 3][..padding as usize]));
+    let padding: &[u8] = match len % 4 {
+        0 => &[],
+        1 => &[0; 3],
+        2 => &[0; 2],
+        _ => &[0],
+    };
+    sections.push(Section::bytes(padding));
     Ok(sections)
 }
 

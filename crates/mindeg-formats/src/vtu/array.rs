@@ -122,8 +122,8 @@ impl Storage<'_> {
         let mut rest = &data[..];
         let mut bytes = Vec::new();
         for (index, &len) in compressed.iter().enumerate() {
-            // The sum of all is the length of the data.
-            let (block, others) = rest.split_at(len as usize);
+            let len = usize::try_from(len).expect("the sum of all is the length of the data");
+            let (block, others) = rest.split_at(len);
             rest = others;
             let is_last = index + 1 == compressed.len();
             let expected = if is_last && *last > 0 { *last } else { *full };

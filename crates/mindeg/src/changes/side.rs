@@ -38,7 +38,7 @@ fn divided(points: &[DVec2], [start, end]: [DVec2; 2], more: u64) -> Vec<DVec2> 
         parts[edge] += 1;
         *top = longest(edge, parts[edge]);
     }
-    let mut divided = Vec::with_capacity(points.len() + more as usize);
+    let mut divided = Vec::new();
     for (edge, &parts) in all.windows(2).zip(&parts) {
         divided.extend((1..parts).map(|part| edge[0].lerp(edge[1], part as f64 / parts as f64)));
         divided.push(edge[1]);

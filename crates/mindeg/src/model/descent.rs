@@ -176,6 +176,7 @@ fn improved(
     let mut changed = false;
     let is_whole =
         is_small && plane_face.boundary.ring_count() == 1 && joint.triangles[face].len() <= WHOLE;
+    let sizes = Breakout::SIZES;
     if is_whole {
         changed = patch.improve(Block { vertex: 0, skip: 0, size: WHOLE }, &cost);
     } else {
@@ -183,7 +184,7 @@ fn improved(
             let random = Random::at(&[round, face as u64, place as u64, 1]);
             let is_tried = is_crowded(&patch, place) || (is_small && random.is_multiple_of(8));
             if is_tried {
-                let size = Breakout::SIZES[(round % Breakout::SIZES.len() as u64) as usize];
+                let size = sizes[usize::try_from(round % sizes.len() as u64).expect("an index")];
                 let block = Block { vertex: place as u32, skip: (random >> 32) as u32, size };
                 changed |= patch.improve(block, &cost);
             }
