@@ -1,8 +1,8 @@
-//! Meshes joined by a mesh of the gap between them.
+//! Meshes joined by a mesh of the gap between them, or where they overlap.
 
 use crate::mesh::content;
 use crate::run::mindeg;
-use serde_json::json;
+use serde_json::{Value, json};
 use std::fs;
 use std::path::Path;
 
@@ -110,6 +110,7 @@ fn what_cannot_be_stitched_is_refused_with_the_place() {
     for (other, area, words) in [
         (&on_ocean, &area, &["meshes 1 and 2 overlap", "near (10, "][..]),
         (&ocean, &area, &["meshes 1 and 2 overlap", "near ("]),
+        (&on_ocean, &inside, &["meshes 1 and 2 overlap", "without it, the second one"]),
         (&river, &inside, &["no gap"]),
         (&river, &half, &["stays apart"]),
         (&river, &zigzag, &["crosses the boundary edge at (10, ", "several times"]),
@@ -117,7 +118,84 @@ fn what_cannot_be_stitched_is_refused_with_the_place() {
     ] {
         mindeg(["stitch", &ocean, other, "--within", area, "-o", &out]).refuses(words);
     }
+    for (other, words) in [
+        (&river, &["do not overlap", "--within"][..]),
+        (&ocean, &["nothing is left to join", "other order"]),
+        (&steep, &["is not flat"]),
+    ] {
+        mindeg(["stitch", &ocean, other, "-o", &out]).refuses(words);
+    }
+    mindeg(["stitch", &ocean, &on_ocean, &river, "-o", &out]).refuses(&["two meshes are joined"]);
     assert_eq!(content(folder.path()), before);
+}
+
+/// Joins two meshes that overlap: the first one is the start of the result, and what the summary tells holds there.
+fn overlapped(meshes: [&str; 2], out: &str, more: &[&str]) -> Value {
+    let run = [&["stitch", meshes[0], meshes[1], "--json", "-o", out][..], more].concat();
+    let told = mindeg(run).json();
+    let [[a, ta], [b, tb], [all, tall]] = [meshes[0], meshes[1], out].map(lists);
+    assert_eq!((&all[..a.len()], &tall[..ta.len()]), (&a[..], &ta[..]));
+    let count = |key: &str| told[key].as_u64().expect("a count") as usize;
+    let [overlapping, near, new] = ["overlapping", "near", "new_triangles"].map(count);
+    assert!(overlapping > 0 && near > 0 && new > 0);
+    assert_eq!(tall.len(), ta.len() + tb.len() - overlapping - near + new);
+    // The other vertices of the second mesh stay bit for bit, in their order.
+    let left = &all[a.len()..all.len() - count("new_vertices")];
+    let mut of_second = b.iter();
+    assert!(left.iter().all(|node| of_second.any(|other| other == node)));
+    assert_eq!(told["outside_5_to_7"], json!([]));
+    let inspected = mindeg(["inspect", out]);
+    assert!(inspected.text().contains("nothing wrong found"), "{}", inspected.text());
+    told
+}
+
+#[test]
+fn meshes_that_overlap_are_joined_and_the_first_one_stays() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let overlapping = RIVER.replace("[13, 4.4]", "[9, 4.4]").replace("[13, 5.6]", "[9, 5.6]");
+    let [ocean, river, _] = meshes(folder.path(), &overlapping);
+    let out = folder.path().join("both.14").display().to_string();
+    for (order, least) in [([&*ocean, &*river], 35.0), ([&*river, &*ocean], 35.0)] {
+        let told = overlapped(order, &out, &[]);
+        assert!(told["min_angle"].as_f64().expect("an angle") > least, "{told}");
+        let text = fs::read_to_string(&out).expect("a grid");
+        let has = |name: &str| text.contains(&format!("({name})"));
+        // The new banks are the river's, and what lies inside now has no name any more.
+        assert!(["south", "shore", "inflow", "bank"].into_iter().all(has) && !has("land"));
+        assert!(!has("end") && !has("mesh"));
+        let [nodes, _] = lists(&out);
+        assert!(nodes.iter().all(|node| (2.0..=10.0).contains(&node[2])));
+    }
+}
+
+#[test]
+fn a_fine_mesh_in_a_sea_takes_the_place_of_the_coarse_one() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let saronic =
+        concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/outlines/saronic.geojson").to_owned();
+    let [sea, bay, out] = ["sea.14", "bay.14", "both.14"].map(path);
+    let mesh = |file: &str, more: &[&str], out: &str| {
+        let run =
+            ["mesh", file, "--project", "auto", "--interior", "--open", "box", "-q", "-o", out];
+        mindeg([&run[..], more].concat()).text();
+    };
+    mesh(&saronic, &["--condition=25", "--size", "5km"], &sea);
+    // A box over the open boundary in the south, and one around an island and a cape.
+    for [[west, south], [east, north]] in
+        [[[23.45, 37.05], [23.75, 37.3]], [[23.5, 37.3], [23.9, 37.55]]]
+    {
+        let file = path("bay.geojson");
+        let ring =
+            json!([[[west, south], [east, south], [east, north], [west, north], [west, south]]]);
+        fs::write(&file, json!({"type": "Polygon", "coordinates": ring}).to_string())
+            .expect("a file");
+        mesh(&file, &["--size", "1500m"], &bay);
+        let told = overlapped([&bay, &sea], &out, &["--project", "auto"]);
+        assert!(told["min_angle"].as_f64().expect("an angle") > 30.0, "{told}");
+    }
+    let run = mindeg(["stitch", &bay, &sea, "-o", &out]);
+    assert!(run.errors.contains("look like degrees"), "{}", run.errors);
 }
 
 #[test]

@@ -11,7 +11,7 @@ use std::fmt::Write as _;
 /// # Example
 ///
 /// ```
-/// use mindeg::{Domain, Interior, Progress, Side, interior, stitch::stitch};
+/// use mindeg::{Domain, Interior, Progress, Side, interior, stitch::{Gap, stitch}};
 /// use mindeg_answers::stitch::StitchAnswer;
 ///
 /// // Two squares, a third of their width apart.
@@ -22,7 +22,7 @@ use std::fmt::Write as _;
 /// };
 /// let meshes = [square(0.0)?, square(4.0)?];
 /// let area = Domain::from_rings([[[2.9, 0.3], [4.1, 0.3], [4.1, 2.7], [2.9, 2.7]]])?;
-/// let answer = StitchAnswer::of(&stitch(&meshes, &area, &Interior::default(), Progress::NONE)?);
+/// let answer = StitchAnswer::of(&stitch(&meshes, Gap::Within(&area), &Interior::default(), Progress::NONE)?);
 /// let given: usize = meshes.iter().map(|mesh| mesh.triangles().len()).sum();
 /// assert_eq!(answer.triangles, answer.new_triangles + given);
 /// assert!(answer.outside_5_to_7.is_empty());
@@ -34,6 +34,10 @@ pub struct StitchAnswer {
     pub vertices: usize,
     /// Its triangles.
     pub triangles: usize,
+    /// The triangles of the second mesh that overlapped the first one or touched it, and were dropped.
+    pub overlapping: usize,
+    /// Those that were dropped since they were too near it.
+    pub near: usize,
     /// The vertices that no given mesh has.
     pub new_vertices: usize,
     /// The triangles that fill the gap.
@@ -61,7 +65,7 @@ impl StitchAnswer {
     /// The figures.
     #[must_use]
     pub fn of(stitched: &Stitched) -> Self {
-        let Stitched { mesh, triangles, vertices, min_angle, joined } = stitched;
+        let Stitched { mesh, triangles, vertices, min_angle, joined, dropped } = stitched;
         let row = |&vertex: &u32| {
             let degree = mesh.degrees()[vertex as usize];
             let at = mesh.positions()[vertex as usize].truncate().to_array();
@@ -70,6 +74,8 @@ impl StitchAnswer {
         Self {
             vertices: mesh.positions().len(),
             triangles: mesh.triangles().len(),
+            overlapping: dropped.map_or(0, |dropped| dropped.overlapping),
+            near: dropped.map_or(0, |dropped| dropped.near),
             new_vertices: vertices.len(),
             new_triangles: triangles.len(),
             min_angle: *min_angle,
@@ -81,8 +87,19 @@ impl StitchAnswer {
     /// The same as text.
     #[must_use]
     pub fn text(&self) -> String {
-        let mut text = format!(
-            "{} triangles and {} vertices fill the gap, with a minimum angle of {}; the mesh has {} triangles\n",
+        let mut text = String::new();
+        if self.overlapping > 0 {
+            let _ = writeln!(
+                text,
+                "dropped {} triangles of the second mesh: {} overlapped the first or touched it, {} were too near it",
+                count((self.overlapping + self.near) as u64),
+                count(self.overlapping as u64),
+                count(self.near as u64),
+            );
+        }
+        let _ = writeln!(
+            text,
+            "{} triangles and {} vertices fill the gap, with a minimum angle of {}; the mesh has {} triangles",
             count(self.new_triangles as u64),
             count(self.new_vertices as u64),
             steady_angle(self.min_angle),

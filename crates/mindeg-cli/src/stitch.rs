@@ -6,7 +6,9 @@ use crate::demands::new_triangles_met;
 use crate::domain::opened;
 use crate::failure::Failure;
 use crate::making::Making;
-use mindeg::stitch::stitch;
+use crate::terminal::say;
+use mindeg::glam::DVec2;
+use mindeg::stitch::{Gap, stitch};
 use mindeg::{Interior, TriMesh};
 use mindeg_answers::stitch::StitchAnswer;
 use mindeg_files::Wanted;
@@ -15,18 +17,39 @@ pub(crate) fn run(arguments: &StitchArguments) -> Result<(), Failure> {
     let surface = &arguments.surface;
     let mut making = Making::new(surface, &surface.output, arguments.quiet, arguments.json)?;
     let bar = Bar::new(true);
-    let area = opened(&arguments.area, &arguments.outline, None, Wanted::Domain, &bar)?.only()?;
+    let area = arguments
+        .area
+        .as_ref()
+        .map(|area| opened(area, &arguments.outline, None, Wanted::Domain, &bar)?.only());
+    let area = area.transpose()?;
     let read = |path| making.read(path);
     let meshes: Vec<TriMesh> =
         arguments.files.iter().map(|path| path.as_path()).map(read).collect::<Result<_, _>>()?;
     making.tell_dropped(&meshes);
     let wanted: Interior = arguments.wanted.over(None);
+    let points = || meshes.iter().flat_map(|mesh| mesh.positions()).map(|at| at.truncate());
+    let projection = match (&area, arguments.outline.project) {
+        (None, Some(choice)) => choice.of(points()).map_err(Failure::Input)?,
+        _ => None,
+    };
+    if area.is_none() && arguments.outline.project.is_none() && look_like_degrees(points()) {
+        say(
+            "the coordinates look like degrees and are taken as planar: --project auto makes metres of them",
+        );
+    }
+    let gap = area.as_ref().map_or(Gap::Overlap(projection.as_ref()), Gap::Within);
     making.open()?;
-    let found = making
-        .work(|progress| stitch(&meshes, &area, &wanted, progress))
-        .map_err(Failure::input)?;
+    let found =
+        making.work(|progress| stitch(&meshes, gap, &wanted, progress)).map_err(Failure::input)?;
     new_triangles_met(wanted.target_angle, &found.mesh, &found.triangles, found.min_angle)?;
     let answer = StitchAnswer::of(&found);
     let made = making.write(&found.mesh)?;
     made.say(|| answer.text(), || &answer)
+}
+
+/// Whether points are within degrees of longitude and latitude, and beyond what lengths of a small domain are.
+fn look_like_degrees(points: impl Iterator<Item = DVec2>) -> bool {
+    const SMALL: f64 = 20.0;
+    let most = points.fold(DVec2::ZERO, |most, point| most.max(point.abs()));
+    most.max_element() > SMALL && most.x <= 360.0 && most.y <= 90.0
 }

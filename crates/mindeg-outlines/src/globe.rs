@@ -53,6 +53,34 @@ impl FromStr for ProjectionChoice {
     }
 }
 
+impl ProjectionChoice {
+    /// The projection for points in degrees of longitude and latitude.
+    ///
+    /// # Errors
+    ///
+    /// Points that are no degrees, or lie in no region for which the projection is made.
+    pub fn of(
+        self,
+        points: impl Iterator<Item = DVec2> + Clone,
+    ) -> Result<Option<Projection>, String> {
+        if self == Self::None {
+            return Ok(None);
+        }
+        points.clone().try_for_each(expect_degrees)?;
+        let region = GlobeRegion::of(points).ok_or_else(|| {
+            "the points lie all around the globe, and one plane holds less than half of it: choose a part".to_owned()
+        })?;
+        match self {
+            Self::Auto | Self::None => Projection::of_region(&region),
+            Self::Utm => Projection::utm(&region),
+            Self::Laea => Projection::equal_area(&region),
+            Self::Stereographic => Projection::stereographic(&region),
+            Self::Given(projection) => Ok(projection),
+        }
+        .map(Some)
+    }
+}
+
 impl Outlines {
     /// Whether the coordinates are taken for degrees of longitude and latitude, which are not projected.
     #[must_use]
@@ -98,18 +126,9 @@ impl Outlines {
         let rings = || self.features.iter().flat_map(|feature| &feature.rings);
         rings().try_for_each(check)?;
         let starts = || rings().flat_map(|ring| ring.pieces.iter().map(|piece| piece.start));
-        let region = GlobeRegion::of(starts());
-        let region = region.ok_or_else(|| {
-            wrong("the points lie all around the globe, and one plane holds less than half of it: choose a part".to_owned())
-        })?;
-        let projection = match choice {
-            ProjectionChoice::Auto | ProjectionChoice::None => Projection::of_region(&region),
-            ProjectionChoice::Utm => Projection::utm(&region),
-            ProjectionChoice::Laea => Projection::equal_area(&region),
-            ProjectionChoice::Stereographic => Projection::stereographic(&region),
-            ProjectionChoice::Given(projection) => Ok(projection),
+        let Some(projection) = choice.of(starts()).map_err(wrong)? else {
+            return Ok((self, None));
         };
-        let projection = projection.map_err(wrong)?;
         let scales = starts().map(|point| projection.scale(point));
         let [least, most] = scales.fold([f64::INFINITY, 0.0], |[least, most], it| {
             [f64::min(least, it), f64::max(most, it)]
@@ -145,15 +164,19 @@ fn check(ring: &DrawnRing) -> Result<(), OutlineError> {
                 "curves are not projected; only straight edges are",
             ));
         }
-        if start.x.abs() > 360.0 || start.y.abs() > 90.0 {
-            let problem = format!(
-                "({}, {}) is no longitude and latitude in degrees: the file seems to be projected already; leave out --project",
-                start.x, start.y
-            );
-            return Err(OutlineError::place("", problem));
-        }
+        expect_degrees(*start).map_err(|problem| OutlineError::place("", problem))?;
     }
     Ok(())
+}
+
+fn expect_degrees(at: DVec2) -> Result<(), String> {
+    if at.x.abs() <= 360.0 && at.y.abs() <= 90.0 {
+        return Ok(());
+    }
+    Err(format!(
+        "({}, {}) is no longitude and latitude in degrees: the file seems to be projected already; leave out --project",
+        at.x, at.y
+    ))
 }
 
 /// A longitude from -180, which is left out, to 180.

@@ -3,7 +3,7 @@
 use mindeg::bridge::bridge as joined;
 use mindeg::fill::{EXTRA_AREA, FIRST_LIMIT, FillOptions, fill as closed};
 use mindeg::glam::DVec3;
-use mindeg::stitch::stitch as stitched;
+use mindeg::stitch::{Gap, stitch as stitched};
 use mindeg::{Loops, TriMesh};
 use mindeg_answers::loops::{BridgeAnswer, FillAnswer, LoopName, OpenLoop};
 use mindeg_answers::stitch::StitchAnswer;
@@ -181,20 +181,22 @@ pub(crate) fn bridge(
 
 /// Join meshes of the plane by a mesh of the gap between them: of what the area `within` has outside them.
 ///
-/// The triangles of the meshes stay, with their names and depths, and degrees count across. `groups["stitch"]` of the result is
-/// the gap; `report` has the keys of `mindeg stitch --json`.
+/// Without it, two meshes that overlap: the second one loses the triangles that overlap the first or are near it. Else the triangles
+/// stay, with their names and depths, and degrees count across. `groups["stitch"]` of the result is the gap; `report` has the keys
+/// of `mindeg stitch --json`.
 #[pyfunction]
-#[pyo3(signature = (meshes, *, within))]
+#[pyo3(signature = (meshes, *, within=None))]
 pub(crate) fn stitch(
     py: Python<'_>,
     meshes: Vec<Bound<'_, Mesh>>,
-    within: &Bound<'_, Domain>,
+    within: Option<&Bound<'_, Domain>>,
 ) -> PyResult<Mesh> {
     let meshes: Vec<TriMesh> =
         meshes.iter().map(|mesh| mesh.get().list()).collect::<PyResult<_>>()?;
-    let area = within.get().inner();
-    let wanted = area.interior().cloned().unwrap_or_default();
-    let found = done(py, |progress| stitched(&meshes, area, &wanted, progress))?;
+    let area = within.map(|within| within.get().inner());
+    let wanted = area.and_then(|area| area.interior().cloned()).unwrap_or_default();
+    let gap = area.map_or(Gap::Overlap(None), Gap::Within);
+    let found = done(py, |progress| stitched(&meshes, gap, &wanted, progress))?;
     let report = dict(py, &StitchAnswer::of(&found))?.cast_into::<PyDict>()?;
     Ok(Mesh::new(found.mesh, Facts { report: Some(report.unbind()), ..Facts::default() }))
 }

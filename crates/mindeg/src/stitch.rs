@@ -1,73 +1,60 @@
 //! Meshes of the plane joined by a mesh of the gap between them.
 //!
-//! The gap is what an area has outside the meshes. It gets points inside, as [`interior`] makes them, with the degrees of
-//! the given triangles counted where they meet. The meshes stay: vertices, triangles, groups and names keep their indices, and no edge is
-//! divided. The new triangles form the group `stitch`, at the end.
+//! The gap is what an area has outside the meshes. It gets points inside, as [`interior`](crate::interior) makes them, with the
+//! degrees of the given triangles counted where they meet. The meshes stay: vertices, triangles, groups and names keep their
+//! indices, and no edge is divided. The new triangles form the group `stitch`, at the end.
 //!
-//! Limits: meshes that overlap are refused, with the place.
+//! Of two meshes that overlap, the first one stays so. The other one loses the triangles that overlap it or are near it, and the
+//! gap is what these had outside the first mesh.
 
+mod cut;
 mod depths;
+mod front;
 mod gap;
+mod joining;
+mod overlap;
 mod proof;
 
-use std::collections::{BTreeMap, BTreeSet};
-use std::ops::Range;
+use std::cmp::Reverse;
 
-use glam::DVec2;
-use mindeg_condition::BoundaryDemands;
-use mindeg_domain::{Constraints, Domain, Interior, Ring, Side, VertexConstraint};
-use mindeg_mesh::planar::PlanarBoundary;
-use mindeg_mesh::{Line, LineKind, Positions, Progress, TriMesh, Triangles};
+use mindeg_domain::{Domain, Interior, Projection};
+use mindeg_mesh::{Progress, TriMesh, Triangles};
 
-use self::depths::depths_between;
-use self::gap::{Corner, Step, shown};
-use self::proof::{apart, boundary_of, prove};
+use self::cut::Cut;
+use self::front::{Front, Named};
+use self::gap::{Corner, Step};
+use self::joining::{Joining, New, Told, in_plane};
+pub use self::joining::{STITCH, Stitched};
+pub use self::overlap::Dropped;
+use self::overlap::Overlap;
+use self::proof::apart;
 use crate::error::MeshError;
-use crate::interior;
 
-/// The name of the group of new triangles.
-pub const STITCH: &str = "stitch";
-
-/// The name of new boundary edges along a side of the area that has none.
-const LAND: &str = "land";
-
-/// The edges that a vertex may have where the gap meets a mesh.
-const MOST_EDGES: u32 = 7;
-
-/// Edges on the border of the area grow so with their distance from the meshes.
-const GROWTH: f64 = 0.4;
-
-/// Meshes that were joined.
-#[derive(Clone, Debug)]
-pub struct Stitched {
-    /// The mesh.
-    pub mesh: TriMesh,
-    /// The new triangles.
-    pub triangles: Range<u32>,
-    /// The new vertices.
-    pub vertices: Range<u32>,
-    /// The minimum angle of the new triangles, in degrees.
-    pub min_angle: f64,
-    /// The vertices of the given meshes at which the gap ended, and that lie inside now.
-    pub joined: Vec<u32>,
+/// The gap that is filled.
+#[derive(Clone, Copy, Debug)]
+pub enum Gap<'a> {
+    /// What an area has outside the meshes. Where its border leaves a mesh, the new mesh begins at the last boundary vertex within the
+    /// area. Its sides give the new boundary their names and kinds. If the area was [projected](Domain::projection), the meshes are
+    /// in degrees.
+    Within(&'a Domain),
+    /// What is left where two meshes overlap, when the second one has lost its triangles there; with a projection, if they are in
+    /// degrees. New boundary is that of the second mesh, to within an edge of the first.
+    Overlap(Option<&'a Projection>),
 }
 
-/// Joins meshes by a mesh of the gap between them: of what `area` has outside them. Where the border of the area leaves a mesh, the
-/// new mesh begins at the last boundary vertex within the area.
-///
-/// The sides of the area give the new boundary their names and kinds. Depths of new vertices lie between those of the meshes. If the area
-/// was [projected](Domain::projection), the meshes are in degrees.
+/// Joins meshes by a mesh of the gap between them. Depths of new vertices lie between those of the meshes.
 ///
 /// O(n log n) for n triangles, and n k for an area of k points.
 ///
 /// # Errors
 ///
-/// [`MeshError::Refused`] with the place: meshes that are not flat or overlap, an area without a gap, or that does not join them.
+/// [`MeshError::Refused`] with the place: meshes that are not flat, that overlap though an area is given, or that do not overlap though
+/// none is; an area without a gap, or that does not join them.
 ///
 /// # Example
 ///
 /// ```
-/// use mindeg::{Domain, Interior, Progress, Side, interior, stitch::stitch};
+/// use mindeg::{Domain, Interior, Progress, Side, interior, stitch::{Gap, stitch}};
 ///
 /// // Two squares, a third of their width apart.
 /// let square = |x: f64| {
@@ -77,13 +64,30 @@ pub struct Stitched {
 /// };
 /// let meshes = [square(0.0)?, square(4.0)?];
 /// let area = Domain::from_rings([[[2.9, 0.3], [4.1, 0.3], [4.1, 2.7], [2.9, 2.7]]])?;
-/// let joined = stitch(&meshes, &area, &Interior::default(), Progress::NONE)?;
+/// let joined = stitch(&meshes, Gap::Within(&area), &Interior::default(), Progress::NONE)?;
 /// assert_eq!(joined.mesh.boundary_loops().len(), 1);
 /// assert_eq!(joined.mesh.triangles()[..10], meshes[0].triangles()[..10]);
 /// assert!(joined.min_angle > 25.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn stitch(
+    meshes: &[TriMesh],
+    gap: Gap<'_>,
+    wanted: &Interior,
+    progress: Progress<'_>,
+) -> Result<Stitched, MeshError> {
+    match gap {
+        Gap::Within(area) => within(meshes, area, wanted, progress),
+        Gap::Overlap(projection) => match meshes {
+            [first, second] => overlapping([first, second], projection, wanted, progress),
+            _ => Err(MeshError::refused(
+                "without an area, two meshes are joined; join others to the result",
+            )),
+        },
+    }
+}
+
+fn within(
     meshes: &[TriMesh],
     area: &Domain,
     wanted: &Interior,
@@ -98,12 +102,16 @@ pub fn stitch(
         starts.push(whole.positions().len() as u32);
         whole = whole.with_mesh_added(other)?;
     }
-    if whole.normal().is_none() {
-        let sentence = "a mesh is not flat, or has a triangle that is clockwise: only meshes of the plane are joined so";
-        return Err(MeshError::refused(sentence));
-    }
-    let joined = Joining::new(whole, &starts, area)?;
-    let mut gaps = joined.gaps()?;
+    expect_flat(&whole)?;
+    let border = area.boundary()?.into_owned();
+    let told = |edge: u32| -> Told {
+        let side = &area.sides()[area.rings().side_of(edge)];
+        (side.name.clone(), side.kind)
+    };
+    let told = (0..border.vertex_count()).map(told).collect();
+    let joined = Joining::new(whole, border.points().to_vec(), told, area.projection())?;
+    apart(&joined.points, &joined.next, &starts)?;
+    let mut gaps = joined.parts(gap::rings(&joined.points, &joined.next, &border)?);
     if gaps.is_empty() {
         let sentence = "the area has no gap: all of it lies in the meshes";
         return Err(MeshError::refused(sentence));
@@ -116,250 +124,75 @@ pub fn stitch(
     joined.with(new)
 }
 
-/// New vertices and triangles.
-#[derive(Default)]
-struct New {
-    /// In the plane of the area.
-    points: Vec<DVec2>,
-    triangles: Vec<[u32; 3]>,
-    lines: Vec<(String, Option<LineKind>, Vec<[u32; 2]>)>,
-    min_angle: Option<f64>,
-}
+/// Widths of the gap that are tried, in edges; of equally good ones, the first holds.
+const WIDTHS: [f64; 5] = [1.0, 1.5, 2.0, 2.5, 3.5];
 
-/// The meshes beside each other, and an area.
-struct Joining<'a> {
-    whole: TriMesh,
-    /// The vertices in the plane of the area.
-    points: Vec<DVec2>,
-    /// The boundary vertex after each, with the mesh on the left.
-    next: BTreeMap<u32, u32>,
-    area: &'a Domain,
-    border: PlanarBoundary,
-    /// The name of sides along meshes, which no side of the area has.
-    kept: String,
-}
+/// New triangles with this minimum angle are good enough, in degrees, where all joined vertices have 5 to 7 edges.
+const GOOD: f64 = 30.0;
 
-impl<'a> Joining<'a> {
-    fn new(whole: TriMesh, starts: &[u32], area: &'a Domain) -> Result<Self, MeshError> {
-        let plane = |at: DVec2| area.projection().map_or(at, |projection| projection.to_plane(at));
-        let points: Vec<DVec2> =
-            whole.positions().iter().map(|point| plane(point.truncate())).collect();
-        let next = boundary_of(whole.triangles(), &points)?;
-        apart(&points, &next, starts)?;
-        let border = area.boundary()?.into_owned();
-        let names: BTreeSet<&String> =
-            area.sides().iter().filter_map(|side| side.name.as_ref()).collect();
-        let mut kept = "mesh".to_owned();
-        while names.contains(&kept) || kept == LAND {
-            kept.push('+');
-        }
-        Ok(Self { whole, points, next, area, border, kept })
-    }
-
-    fn at(&self, corner: Corner) -> DVec2 {
-        match corner {
-            Corner::Mesh(vertex) => self.points[vertex as usize],
-            Corner::Area(vertex) => self.border.point(vertex),
-        }
-    }
-
-    /// The rings of each part of the gap, the outer one first.
-    fn gaps(&self) -> Result<Vec<Vec<Vec<Step>>>, MeshError> {
-        let rings = gap::rings(&self.points, &self.next, &self.border)?;
-        let area = |ring: &Vec<Step>| -> f64 {
-            let at = |index: usize| self.at(ring[index % ring.len()].0);
-            (0..ring.len()).map(|i| at(i).perp_dot(at(i + 1))).sum()
-        };
-        let (outers, holes): (Vec<_>, Vec<_>) =
-            rings.into_iter().partition(|ring| area(ring) > 0.0);
-        let mut gaps: Vec<Vec<Vec<Step>>> = outers.into_iter().map(|ring| vec![ring]).collect();
-        for hole in holes {
-            let point = self.at(hole[0].0);
-            let around = gaps.iter_mut().filter(|gap| {
-                let ring: Vec<DVec2> = gap[0].iter().map(|step| self.at(step.0)).collect();
-                gap::winds(&PlanarBoundary::of_mesh(&[ring]), point)
-            });
-            if let Some(gap) = around.min_by(|a, b| area(&a[0]).total_cmp(&area(&b[0]))) {
-                gap.push(hole);
-            }
-        }
-        Ok(gaps)
-    }
-
-    /// Meshes one part of the gap.
-    fn fill(
-        &self,
-        rings: &[Vec<Step>],
-        wanted: &Interior,
-        new: &mut New,
-        progress: Progress<'_>,
-    ) -> Result<(), MeshError> {
-        let points = |ring: &Vec<Step>| ring.iter().map(|step| self.at(step.0)).collect();
-        let places: Vec<Vec<DVec2>> = rings.iter().map(points).collect();
-        PlanarBoundary::new(&places).map_err(|faults| {
-            let fault = faults.first();
-            let corners = proof::places(&fault, rings);
-            let at = |step: &Step| shown(self.at(step.0));
-            let place = corners.first().map_or_else(|| fault.to_string(), at);
-            MeshError::Refused(format!(
-                "the gap crosses itself or a mesh near {place}: the border of the area is too near a corner of the meshes; move \
-                 the border"
-            ))
-        })?;
-        let domain = Domain::of_rings(rings.iter().map(|ring| self.ring_of(ring)).collect());
-        let domain = domain.map_err(MeshError::refused)?;
-        let has_kept = rings.iter().flatten().any(|step| step.1.is_none());
-        let kept: Vec<String> = has_kept.then(|| self.kept.clone()).into_iter().collect();
-        let demands = BoundaryDemands { growth: GROWTH, ..BoundaryDemands::default() };
-        let (domain, _) = interior::condition(&domain, &demands, &kept)?;
-        let known: BTreeMap<[u64; 2], u32> = rings
-            .iter()
-            .flatten()
-            .filter_map(|step| match step.0 {
-                Corner::Mesh(vertex) => Some((bits(self.at(step.0)), vertex)),
-                Corner::Area(_) => None,
-            })
-            .collect();
-        let boundary = domain.boundary()?.into_owned();
-        let given = |vertex: u32| known.get(&bits(boundary.point(vertex))).copied();
-        let degrees = self.whole.degrees();
-        let constraint = |vertex: u32| {
-            let external_degree = degrees[given(vertex)? as usize].saturating_sub(2);
-            let least = if boundary.angle(vertex) < std::f64::consts::PI { 2 } else { 3 };
-            let degree_limit = Some(MOST_EDGES.max(external_degree + least));
-            Some(VertexConstraint { vertex, external_degree, degree_limit })
-        };
-        let vertices = (0..boundary.vertex_count()).filter_map(constraint).collect();
-        let domain = domain
-            .with_constraints(Constraints { vertices, ..Constraints::default() })
-            .map_err(MeshError::refused)?;
-        let found = interior::mesh(&domain, wanted, progress).map_err(MeshError::refused)?;
-        let first = self.points.len() + new.points.len();
-        let mut added = Vec::new();
-        let numbers: Vec<u32> = found
-            .mesh
-            .positions()
-            .iter()
-            .map(|point| {
-                known.get(&bits(point.truncate())).copied().unwrap_or_else(|| {
-                    added.push(point.truncate());
-                    (first + added.len() - 1) as u32
-                })
-            })
-            .collect();
-        let number = |vertex: u32| numbers[vertex as usize];
-        new.points.extend(added);
-        new.triangles.extend(found.mesh.triangles().iter().map(|corners| corners.map(number)));
-        for (index, line) in found.mesh.lines().iter().enumerate() {
-            if line.name != self.kept {
-                let own = line.segments.start as usize..line.segments.end as usize;
-                let segments = found.mesh.segments()[own].iter().map(|ends| ends.map(number));
-                let kind = found.mesh.line_kind(index);
-                new.lines.push((line.name.clone(), kind, segments.collect()));
-            }
-        }
-        let least = new.min_angle.unwrap_or(f64::INFINITY).min(found.report.min_angle);
-        new.min_angle = Some(least);
-        Ok(())
-    }
-
-    /// A ring with sides: along meshes, and as the border of the area has them.
-    fn ring_of(&self, steps: &[Step]) -> Ring {
-        let told = |border: Option<u32>| match border {
-            None => (self.kept.clone(), None),
-            Some(edge) => {
-                let side = &self.area.sides()[self.area.rings().side_of(edge)];
-                let name = side.name.clone().unwrap_or_else(|| LAND.to_owned());
-                (name, side.kind.or(Some(LineKind::Land)))
-            }
-        };
-        let count = steps.len();
-        let begins = |at: usize| told(steps[at].1) != told(steps[(at + count - 1) % count].1);
-        let first = (0..count).find(|at| begins(*at)).unwrap_or(0);
-        let mut ring = Ring::default();
-        let mut inner: Vec<Vec<DVec2>> = Vec::new();
-        for step in 0..count {
-            let at = (first + step) % count;
-            let point = self.at(steps[at].0);
-            match inner.last_mut() {
-                Some(side) if !begins(at) => side.push(point),
-                _ => {
-                    ring.corners.push(point);
-                    inner.push(Vec::new());
-                    let (name, kind) = told(steps[at].1);
-                    ring.sides.push(Side { kind, ..Side::count(1).named(name) });
+fn overlapping(
+    [first, second]: [&TriMesh; 2],
+    projection: Option<&Projection>,
+    wanted: &Interior,
+    progress: Progress<'_>,
+) -> Result<Stitched, MeshError> {
+    [first, second].into_iter().try_for_each(expect_flat)?;
+    let places = [first, second].map(|mesh| in_plane(mesh, projection));
+    let named = Named::new(second);
+    let overlap = Overlap::new([first, second], &places)?;
+    let start = first.positions().len() as u32;
+    let (mut best, mut problem): (Option<Stitched>, _) = (None, None);
+    let merit = |stitched: &Stitched| {
+        let degrees = stitched.mesh.degrees();
+        let is_off = |vertex: &&u32| !(5..=7).contains(&degrees[**vertex as usize]);
+        (
+            stitched.joined.iter().filter(is_off).count(),
+            Reverse(stitched.min_angle.min(GOOD).to_bits()),
+        )
+    };
+    for width in WIDTHS {
+        let stitched = overlap.dropped(width).and_then(|(dropped, told)| {
+            let cut = Cut::new(second, &dropped);
+            let front = Front::new(&overlap, &cut, &named)?;
+            let whole = first.clone().with_mesh_added(&cut.mesh(second)?)?;
+            let joined = Joining::new(whole, front.free, front.told, projection)?;
+            let mut new = New::default();
+            for rings in joined.parts(front.rings) {
+                // Elsewhere the second mesh reached beyond the first one, without a way there.
+                let is_second =
+                    |step: &Step| matches!(step.0, Corner::Mesh(vertex) if vertex >= start);
+                if rings.iter().flatten().any(is_second) {
+                    joined.fill(&rings, wanted, &mut new, progress)?;
                 }
             }
-        }
-        for (side, points) in ring.sides.iter_mut().zip(inner) {
-            *side = Side { name: side.name.take(), kind: side.kind, ..Side::points(points) };
-        }
-        ring
-    }
-
-    /// The whole mesh, proven.
-    fn with(self, new: New) -> Result<Stitched, MeshError> {
-        let Self { whole, points, next, area, .. } = &self;
-        let degrees = |at: DVec2| area.projection().map_or(at, |it| it.to_degrees(at));
-        let z = whole.positions().first().map_or(0.0, |point| point.z);
-        let mut positions = whole.positions().to_vec();
-        positions.extend(new.points.iter().map(|point| degrees(*point).extend(z)));
-        let mut triangles = whole.triangles().to_vec();
-        triangles.extend(&new.triangles);
-        let flat: Vec<DVec2> = positions.iter().map(|point| point.truncate()).collect();
-        let boundary = boundary_of(&triangles, &flat)?;
-        prove(&flat, &triangles, &boundary)?;
-        let first = points.len() as u32;
-        let vertices = first..first + new.points.len() as u32;
-        let start = whole.triangles().len() as u32;
-        let mut groups = whole.groups().to_vec();
-        groups.push(mindeg_mesh::Group::new(STITCH, start..triangles.len() as u32));
-        // Where the gap has covered it, boundary is none any more.
-        let is_covered = |ends: &[u32; 2]| {
-            let runs = |map: &BTreeMap<u32, u32>, [from, to]: [u32; 2]| map.get(&from) == Some(&to);
-            let both = [*ends, [ends[1], ends[0]]];
-            both.iter().any(|ends| runs(next, *ends))
-                && !both.iter().any(|ends| runs(&boundary, *ends))
-        };
-        let mut lines: Vec<(String, Option<LineKind>, Vec<[u32; 2]>)> = Vec::new();
-        for (index, line) in whole.lines().iter().enumerate() {
-            let own = line.segments.start as usize..line.segments.end as usize;
-            let left: Vec<[u32; 2]> =
-                whole.segments()[own].iter().copied().filter(|ends| !is_covered(ends)).collect();
-            for piece in left.chunk_by(|a, b| a[1] == b[0]) {
-                lines.push((line.name.clone(), whole.line_kind(index), piece.to_vec()));
+            let vertices = second.positions().len() - cut.vertices.len();
+            Ok(Stitched { dropped: Some(Dropped { vertices, ..told }), ..joined.with(new)? })
+        });
+        match stitched {
+            Ok(stitched) => {
+                let found = merit(&stitched);
+                if best.as_ref().is_none_or(|best| found < merit(best)) {
+                    best = Some(stitched);
+                }
+                if found == (0, Reverse(GOOD.to_bits())) {
+                    break;
+                }
+            }
+            Err(error) => {
+                problem.get_or_insert(error);
             }
         }
-        lines.extend(new.lines);
-        let (mut of_lines, mut kinds, mut segments) = (Vec::new(), Vec::new(), Vec::new());
-        for (name, kind, own) in lines {
-            let from = segments.len() as u32;
-            segments.extend(own);
-            of_lines.push(Line { name, segments: from..segments.len() as u32, is_straight: false });
-            kinds.push(kind);
-        }
-        let mut depths = vec![0.0; points.len()];
-        whole.fill_depths(0, &mut depths);
-        let mesh = TriMesh::new(positions, triangles)?
-            .with_groups(groups)
-            .with_lines(of_lines, segments)?
-            .with_line_kinds(kinds)
-            .with_named_vertices(whole.named_vertices().to_vec())?;
-        let mesh = match whole.name() {
-            Some(name) => mesh.named(name),
-            None => mesh,
-        };
-        let mesh = match whole.has_depths() {
-            true => mesh.with_depths(depths_between(depths, &flat, &new.triangles)),
-            false => mesh,
-        };
-        let joined = next.keys().copied().filter(|vertex| !boundary.contains_key(vertex)).collect();
-        let min_angle = new.min_angle.unwrap_or(60.0);
-        let triangles = start..mesh.triangles().len() as u32;
-        Ok(Stitched { mesh, triangles, vertices, min_angle, joined })
     }
+    // A width is tried, so there is a problem where there is no mesh.
+    best.ok_or_else(|| {
+        problem.unwrap_or_else(|| MeshError::refused("no width of the gap is meshed"))
+    })
 }
 
-fn bits(at: DVec2) -> [u64; 2] {
-    at.to_array().map(f64::to_bits)
+fn expect_flat(mesh: &TriMesh) -> Result<(), MeshError> {
+    if mesh.normal().is_some() {
+        return Ok(());
+    }
+    let sentence = "a mesh is not flat, or has a triangle that is clockwise: only meshes of the plane are joined so";
+    Err(MeshError::refused(sentence))
 }

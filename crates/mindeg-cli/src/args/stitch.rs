@@ -10,24 +10,26 @@ use std::path::PathBuf;
 const EXAMPLES: &str = "\
 Examples:
   mindeg stitch sea.14 river.14 --within delta.json -o both.14
-  mindeg stitch sea.14 river.14 --within delta.json --project auto -o both.14";
+  mindeg stitch bay.14 sea.14 --project auto -o both.14";
 
 /// Join meshes of the plane by a mesh of the gap between them
 ///
 /// The gap is what an area has outside the meshes. The meshes stay bit for bit: vertices, triangles, names and depths. The new mesh
 /// takes their boundary vertices within the area, and points inside; degrees count the triangles of both. Sides of the area give
-/// the new boundary names and kinds, land without; depths are between those of the meshes. Meshes that overlap are
-/// refused, with the place.
+/// the new boundary names and kinds, land without; depths are between those of the meshes.
+///
+/// Two meshes that overlap need no area: the first one stays, the second one loses the triangles that overlap it or
+/// are too near, and the gap between is filled.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES, after_long_help = with_exit_codes(EXAMPLES))]
 pub(crate) struct StitchArguments {
     /// The meshes, in any format that mindeg reads, told by its extension
-    #[arg(value_name = "MESH", num_args = 2.., required = true)]
+    #[arg(id = "domain", value_name = "MESH", num_args = 2.., required = true)]
     pub(crate) files: Vec<PathBuf>,
 
-    /// The area that holds the gap: a polygon, as mindeg mesh takes it. Its border ends in the meshes
-    #[arg(long = "within", id = "domain", value_name = "AREA")]
-    pub(crate) area: PathBuf,
+    /// The area that holds the gap: a polygon, as mindeg mesh takes it. Its border ends in the meshes. Not for meshes that overlap
+    #[arg(long = "within", value_name = "AREA")]
+    pub(crate) area: Option<PathBuf>,
 
     #[command(flatten)]
     pub(crate) surface: SurfaceArguments,
@@ -38,7 +40,7 @@ pub(crate) struct StitchArguments {
     #[command(flatten)]
     pub(crate) outline: OutlineOptions,
 
-    /// Print JSON: vertices, triangles, new_vertices, new_triangles, min_angle of the new triangles, joined (how many vertices of the
+    /// Print JSON: vertices, triangles, overlapping and near (triangles of the second mesh that went), new_vertices, new_triangles, min_angle of the new triangles, joined (how many vertices of the
     /// meshes lie inside now), outside_5_to_7 (those of them with fewer or more edges: vertex, at, degree), files
     #[arg(long, help_heading = "Messages")]
     pub(crate) json: bool,

@@ -186,7 +186,7 @@ fn is_left(at: DVec2, [from, to]: [DVec2; 2]) -> bool {
 }
 
 /// Whether a ray to the right of a point crosses an edge.
-fn is_right_of(at: DVec2, [from, to]: [DVec2; 2]) -> bool {
+pub(super) fn is_right_of(at: DVec2, [from, to]: [DVec2; 2]) -> bool {
     let (low, high) = if from.y <= to.y { (from, to) } else { (to, from) };
     low.y <= at.y && at.y < high.y && orientation(low, high, at) > 0.0
 }

@@ -63,7 +63,8 @@ pub(super) fn apart(
         {
             let [first, second] = [number(a).min(number(b)), number(a).max(number(b))];
             return Err(MeshError::Refused(format!(
-                "meshes {first} and {second} overlap or touch near {}; only a gap between them is filled: cut one of them back there",
+                "meshes {first} and {second} overlap or touch near {}, and an area is for a gap between them: without it, the second one of two \
+                 meshes makes place",
                 shown(at(&a))
             )));
         }
@@ -97,7 +98,7 @@ pub(super) fn prove(
         let vertices = self::places(&fault, &rings);
         let place = vertices.first().map_or_else(|| fault.to_string(), |vertex| shown(at(*vertex)));
         MeshError::Refused(format!(
-            "the meshes overlap or touch at {place}; only a gap between them is filled: cut one of them back there"
+            "the meshes overlap or touch at {place}: cut one of them back there"
         ))
     })?;
     let mut index = vec![u32::MAX; points.len()];
