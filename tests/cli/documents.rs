@@ -2,7 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use crate::run::shell;
+use crate::run::{mindeg, shell};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -127,6 +127,20 @@ fn faults(page: &Path) -> (Vec<String>, usize) {
         }
     }
     (faults, count)
+}
+
+#[test]
+fn the_picture_of_the_readme_is_what_its_command_makes() {
+    let picture = root().join("assets/images/plate-interior.svg");
+    let domain = root().join("assets/domains/plate-with-holes.json");
+    let domain = domain.to_str().unwrap();
+    let run = mindeg(["mesh", domain, "--interior", "-q", "--format", "svg", "-o", "-"]);
+    assert_eq!(run.code, Some(0), "{}", run.errors);
+    if std::env::var_os("MINDEG_BLESS").is_some() {
+        return fs::write(picture, run.output).unwrap();
+    }
+    let is_same = fs::read(picture).unwrap() == run.output;
+    assert!(is_same, "MINDEG_BLESS=1 writes the picture anew; look at it");
 }
 
 #[test]
