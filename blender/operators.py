@@ -335,7 +335,7 @@ class MESH_OT_mindeg_remesh(_LongWork, bpy.types.Operator):
             for vertex in gone:
                 bm.verts.remove(vertex)
             bm.normal_update()
-            off = len(made.report["off_degree"])
+            off = len(made.report["violations"])
             poles = "no pole" if off == 0 else f"{off} {'vertex' if off == 1 else 'vertices'} with other counts"
             return f"Made {len(vertices)} vertices with 5 to 7 edges, {poles}, minimum angle {made.min_angle:.1f}°"
 

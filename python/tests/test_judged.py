@@ -112,11 +112,11 @@ def test_a_boundary_is_conditioned():
     assert domain.mesh(interior=True).report["min_angle"] > 25
     step = mindeg.Domain([[0, 0], [5, 0], [5, 0.01], [10, 0.01], [10, 10], [0, 10]])
     assert step.condition(within=0.02)[1]["dropped"] == 1
-    assert step.condition(size=2, limit=20)[1]["moved"] <= 0.25
+    assert step.condition(size=2, target_angle=20)[1]["moved"] <= 0.25
     with pytest.raises(ValueError, match='no side "nix" to keep'):
         strait.condition(keep="nix")
     with pytest.raises(ValueError, match="at most 40"):
-        strait.condition(limit=50)
+        strait.condition(target_angle=50)
 
 
 def test_meshes_are_stitched():
@@ -126,6 +126,6 @@ def test_meshes_are_stitched():
     both = mindeg.stitch(meshes, within=area)
     assert both.report["new_triangles"] == len(both.groups["stitch"]) > 5
     assert (both.triangles[: len(meshes[0].triangles)] == meshes[0].triangles).all()
-    assert mindeg.inspect(both)["boundary_loops"] == 1 and both.report["outside_5_to_7"] == []
+    assert mindeg.inspect(both)["boundary_loops"] == 1 and both.report["violations"] == []
     with pytest.raises(ValueError, match="stays apart"):
         mindeg.stitch(meshes, within=mindeg.Domain([[2.9, 0.3], [3.5, 0.3], [3.5, 2.7], [2.9, 2.7]]))

@@ -350,7 +350,7 @@ fn points_inside_are_told_with_their_degrees() {
     let filled = &found["filled"][0];
     let [first, end] = [0, 1].map(|at: usize| filled["vertices_inside"][at].as_u64());
     assert_eq!((first, end), (Some(25), found["vertices"].as_u64()));
-    assert_eq!((&filled["off_degree"], &filled["without_points"]), (&json!([]), &Value::Null));
+    assert_eq!((&filled["violations"], &filled["without_points"]), (&json!([]), &Value::Null));
     assert!(
         filled["degrees"][0].as_u64() >= Some(5) && filled["degrees"][1].as_u64() <= Some(7),
         "{filled}"

@@ -31,6 +31,7 @@ mod mesh;
 mod mesh_files;
 mod mistakes;
 mod models;
+mod names;
 mod ocean;
 mod outlines;
 #[cfg(unix)]

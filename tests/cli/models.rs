@@ -181,7 +181,7 @@ fn degrees_over_all_faces_with_interior_points_are_told() {
     let run = mesh(&model("bracket.json"), &files, &["--interior"]);
     let summary = run.json();
     let total = summary["max_degree"].as_u64().expect("a degree");
-    assert_eq!((total, &summary["out_of_range"]), (7, &json!([])), "{summary}");
+    assert_eq!((total, &summary["violations"]), (7, &json!([])), "{summary}");
     assert!(run.errors.contains("degrees 5 to 7, at the boundary 5 at most"), "{}", run.errors);
     // The same by the checker, at no distance.
     let part = folder.path().join("faces.obj");

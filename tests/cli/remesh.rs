@@ -76,7 +76,11 @@ fn a_part_is_meshed_anew_and_passes_the_check() {
         mindeg(arguments.iter().chain(&options).chain(more).copied().collect::<Vec<_>>())
     };
     let made = remesh(&part, &file, &["--json"]).json();
-    assert_eq!((&made["degrees"][0], &made["degrees"][1]), (&5.into(), &7.into()), "{made}");
+    assert_eq!(
+        (&made["interior_degree"][0], &made["interior_degree"][1]),
+        (&5.into(), &7.into()),
+        "{made}"
+    );
     assert_eq!(
         (&made["corners"], &made["curves"], &made["patches"]),
         (&12.into(), &22.into(), &10.into())
@@ -134,12 +138,12 @@ fn tips_of_a_tetrahedron_are_proven() {
     assert!(made.errors.contains("; --feature-angle 180 may drop these corners."), "{made:?}");
     let made = made.json();
     assert_eq!(
-        (made["off_degree"].as_array().map(Vec::len), made["degrees"][0].as_u64()),
+        (made["violations"].as_array().map(Vec::len), made["interior_degree"][0].as_u64()),
         (Some(0), Some(3))
     );
     let run = mindeg(["verify", text(&file), "--surface", text(&part), "--json"]);
     assert_eq!(run.code, Some(0), "{run:?}");
-    let proven = run.json()["proven"].as_array().cloned().expect("a list");
+    let proven = run.json()["certified"].as_array().cloned().expect("a list");
     assert_eq!((proven.len(), &proven[0]["allowed"]), (4, &serde_json::json!([3, 3])));
 }
 
@@ -179,7 +183,7 @@ fn dirty_parts_are_refused_unless_they_are_to_be_repaired() {
         (&made["repairs"]["turned_faces"], &made["repairs"]["filled_holes"]),
         (&1.into(), &0.into())
     );
-    assert_eq!(made["boundary_degrees"], serde_json::Value::Null);
+    assert_eq!(made["boundary_degree"], serde_json::Value::Null);
 }
 
 #[test]
@@ -190,7 +194,7 @@ fn edges_follow_the_curvature() {
     let vertices = |more: &[&str]| {
         let arguments = ["remesh", &part, "-o", text(&file), "--size", "4", "--json"];
         let made = mindeg(arguments.iter().chain(more).copied().collect::<Vec<_>>()).json();
-        assert_eq!(made["off_degree"].as_array().map(Vec::len), Some(0), "{made}");
+        assert_eq!(made["violations"].as_array().map(Vec::len), Some(0), "{made}");
         made["vertices"].as_u64().expect("a number")
     };
     let [even, by_curvature] = [vertices(&[]), vertices(&["--curvature"])];

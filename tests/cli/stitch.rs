@@ -56,7 +56,7 @@ fn a_gap_is_filled_and_the_meshes_stay() {
     let out = folder.path().join("both.14").display().to_string();
     let run = mindeg(["stitch", &ocean, &river, "--within", &area, "--json", "-o", &out]);
     let told = run.json();
-    assert_eq!((&told["joined"], &told["outside_5_to_7"]), (&json!(5), &json!([])));
+    assert_eq!((&told["joined"], &told["violations"]), (&json!(5), &json!([])));
     assert!(told["min_angle"].as_f64().expect("an angle") > 28.0);
     let [[a, ta], [b, tb], [both, all]] = [&ocean, &river, &out].map(|path| lists(path));
     assert_eq!(both[..a.len()], a);
@@ -143,7 +143,7 @@ fn overlapped(meshes: [&str; 2], out: &str, more: &[&str]) -> Value {
     let left = &all[a.len()..all.len() - count("new_vertices")];
     let mut of_second = b.iter();
     assert!(left.iter().all(|node| of_second.any(|other| other == node)));
-    assert_eq!(told["outside_5_to_7"], json!([]));
+    assert_eq!(told["violations"], json!([]));
     let inspected = mindeg(["inspect", out]);
     assert!(inspected.text().contains("nothing wrong found"), "{}", inspected.text());
     told
@@ -230,7 +230,7 @@ fn a_mesh_in_a_hole_an_island_in_the_gap_and_degrees() {
         let out = path("out.14");
         let first = ["stitch", meshes[0], meshes[1], "--within", area, "--json", "-o", &*out];
         let told = mindeg([&first[..], more].concat()).json();
-        assert_eq!(told["outside_5_to_7"], json!([]));
+        assert_eq!(told["violations"], json!([]));
         let inspected = mindeg(["inspect", &out, "--json"]).json();
         let angle = told["min_angle"].as_f64().expect("an angle");
         let loops = inspected["boundary_loops"].as_u64();
@@ -284,7 +284,7 @@ fn fans_of_the_given_meshes_count() {
     let run =
         [&path("west.obj"), &path("east.obj"), "--within", &path("gap.wkt"), "--json", "-o", &out];
     let told = mindeg([&["stitch"], &run[..]].concat()).json();
-    assert_eq!((&told["joined"], &told["outside_5_to_7"]), (&json!(2), &json!([])));
+    assert_eq!((&told["joined"], &told["violations"]), (&json!(2), &json!([])));
     let [_, elements] = lists(&out);
     let around = |node: f64| elements.iter().filter(|element| element[1..].contains(&node)).count();
     assert_eq!([around(1.0), around(10.0)], [7, 7]);

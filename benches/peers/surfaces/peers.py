@@ -182,7 +182,7 @@ def judged(points, triangles, part, features, work):
     found = json.loads(result.stdout)
     diagonal = found["diagonal"]
     share = lambda distance: 100 * distance["at_least"] / diagonal if distance else 0.0
-    degrees = [found[key] for key in ("degrees", "boundary_degrees") if found[key]]
+    degrees = [found[key] for key in ("interior_degree", "boundary_degree") if found[key]]
     a, b, c = (np.asarray(points)[np.asarray(triangles)[:, i]] for i in range(3))
 
     def angle(p, q, r):
@@ -192,8 +192,8 @@ def judged(points, triangles, part, features, work):
     least = np.minimum(np.minimum(angle(a, b, c), angle(b, c, a)), angle(c, a, b))
     return {
         "vertices": found["vertices"],
-        "outside": len(found["out_of_range"]),
-        "proven": len(found["proven"]),
+        "outside": len(found["violations"]),
+        "proven": len(found["certified"]),
         "least": min(low for low, _ in degrees),
         "most": max(high for _, high in degrees),
         "angle": found["min_angle"],

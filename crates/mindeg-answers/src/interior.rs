@@ -12,6 +12,8 @@ use std::ops::RangeInclusive;
 
 /// Angles beyond are found on no ordinary boundary, in degrees.
 const MOST_SOUGHT: f64 = 45.0;
+/// So many degrees of a vertex have their angles in the text; JSON has all.
+const MOST_DEGREES: usize = 8;
 /// The share of the limit that another search can be asked for.
 const ALL_BUT: f64 = 0.95;
 
@@ -132,13 +134,13 @@ fn decided_by(local: &LocalShares) -> &'static str {
     }
 }
 
-/// A vertex whose degree is out of its range.
+/// A vertex whose degree is out of its range, in the plane or in space.
 #[derive(Clone, Debug, Serialize)]
-pub struct DegreeViolation {
-    vertex: u32,
-    position: [f64; 2],
-    degree: u32,
-    on_boundary: bool,
+pub struct DegreeViolation<P = [f64; 2]> {
+    pub(crate) vertex: u32,
+    pub(crate) position: P,
+    pub(crate) degree: u32,
+    pub(crate) on_boundary: bool,
 }
 
 impl From<&InteriorReport> for InteriorAnswer {
@@ -276,7 +278,10 @@ pub fn corners(report: &InteriorReport) -> Option<String> {
     let row = |(degree, angle): &(u32, f64)| format!("{} with {degree}", steady_angle(*angle));
     let table = |corner: &CornerTradeOff| {
         let [x, y] = corner.at.to_array().map(four_digits);
-        let rows: Vec<String> = corner.angles.iter().map(row).collect();
+        let mut rows: Vec<String> = corner.angles.iter().map(row).collect();
+        if rows.len() > MOST_DEGREES {
+            rows.splice(MOST_DEGREES - 1..rows.len() - 1, ["…".to_owned()]);
+        }
         format!(
             "  vertex {} at ({x}, {y}) has {} edges: {}",
             corner.vertex,

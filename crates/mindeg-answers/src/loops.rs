@@ -70,10 +70,17 @@ struct FilledLoopAnswer {
     vertices_inside: Option<[u32; 2]>,
     /// The least and the greatest degree of the vertices inside and on the loop, where there are points inside.
     degrees: Option<[u32; 2]>,
-    /// Vertices with other degrees than 5 to 7 there, each with its degree.
-    off_degree: Vec<[u32; 2]>,
+    /// Vertices with other degrees than 5 to 7 there.
+    violations: Vec<OffVertex>,
     /// Why there are no points inside though they were asked for.
     without_points: Option<String>,
+}
+
+/// A vertex whose degree is out of its range.
+#[derive(Clone, Copy, Debug, Serialize)]
+struct OffVertex {
+    vertex: u32,
+    degree: u32,
 }
 
 /// A loop that stays open, and why.
@@ -95,6 +102,7 @@ impl OpenLoop {
 impl FilledLoopAnswer {
     fn of(found: &FilledLoop, loops: &Loops) -> Self {
         let inside = found.inside.as_ref().and_then(|inside| inside.as_ref().ok());
+        let off = |&[vertex, degree]: &[u32; 2]| OffVertex { vertex, degree };
         Self {
             name: LoopName::new(found.index, &loops.list()[found.index]),
             limit: found.limit,
@@ -108,7 +116,7 @@ impl FilledLoopAnswer {
             triangles: [found.triangles.start, found.triangles.end],
             vertices_inside: inside.map(|it| [it.vertices.start, it.vertices.end]),
             degrees: inside.map(|it| it.degrees),
-            off_degree: inside.map_or_else(Vec::new, |it| it.off_degree.clone()),
+            violations: inside.into_iter().flat_map(|it| &it.off_degree).map(off).collect(),
             without_points: found.inside.clone().and_then(Result::err),
         }
     }
@@ -121,10 +129,12 @@ impl FilledLoopAnswer {
         let text = format!(
             "{name}: {points} inside, degrees {least} to {most} on it and inside, area {area}, minimum angle {angle}"
         );
-        match &self.off_degree[..] {
+        match &self.violations[..] {
             [] => text,
-            [[vertex, degree]] => format!("{text}; vertex {vertex} has {degree} edges, not 5 to 7"),
-            [[vertex, degree], others @ ..] => format!(
+            [OffVertex { vertex, degree }] => {
+                format!("{text}; vertex {vertex} has {degree} edges, not 5 to 7")
+            }
+            [OffVertex { vertex, degree }, others @ ..] => format!(
                 "{text}; vertex {vertex} has {degree} edges, not 5 to 7, and so have {} more",
                 others.len()
             ),

@@ -1,5 +1,6 @@
 //! A mesh of a whole model.
 
+use crate::interior::DegreeViolation;
 use crate::names::shown;
 use crate::numbers::{percent, steady_angle};
 use mindeg::model::{FilledModel, JointBound, ModelMesh};
@@ -7,6 +8,7 @@ use mindeg::quality::TriangleQuality;
 use mindeg::{Model, ModelPlace};
 use mindeg_mesh::{TriMesh, Triangles};
 use serde::Serialize;
+use std::collections::BTreeSet;
 
 /// How many vertices a text names.
 const NAMED: usize = 5;
@@ -58,7 +60,7 @@ enum Known {
     Filled {
         interior_points: usize,
         /// The vertices off the boundary with other degrees than 5 to 7, and those on it with more than 5.
-        out_of_range: Vec<u32>,
+        violations: Vec<DegreeViolation<[f64; 3]>>,
     },
 }
 
@@ -110,8 +112,20 @@ impl ModelAnswer {
     #[must_use]
     pub fn filled(model: &Model, filled: &FilledModel) -> Self {
         let FilledModel { mesh, interior_points, max_degree, violations, .. } = filled;
-        let known =
-            Known::Filled { interior_points: *interior_points, out_of_range: violations.clone() };
+        let loops = mesh.boundary_loops();
+        let boundary: BTreeSet<u32> =
+            loops.iter().flat_map(|found| &found.vertices).copied().collect();
+        let degrees = mesh.degrees();
+        let violation = |vertex: &u32| DegreeViolation {
+            vertex: *vertex,
+            position: mesh.positions()[*vertex as usize].to_array(),
+            degree: degrees[*vertex as usize],
+            on_boundary: boundary.contains(vertex),
+        };
+        let known = Known::Filled {
+            interior_points: *interior_points,
+            violations: violations.iter().map(violation).collect(),
+        };
         let degree = match violations.len() {
             0 => "degrees 5 to 7, at the boundary 5 at most".to_owned(),
             1 => format!("maximum degree {max_degree}, 1 vertex out of 5 to 7"),

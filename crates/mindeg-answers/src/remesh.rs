@@ -1,8 +1,9 @@
 //! What a remesh reached.
 
+use crate::interior::DegreeViolation;
 use crate::loops::not_in_the_mesh;
 use crate::numbers::{count, four_digits, percent, steady_angle};
-use crate::surface::{Distance, ProvenVertex};
+use crate::surface::{Distance, ProvenVertex, greatest};
 use mindeg::remesh::RemeshedPart;
 use mindeg::repair::Repairs;
 use mindeg::verify::MeshDefect;
@@ -20,10 +21,11 @@ pub struct RemeshAnswer {
     /// The tolerance that was asked for, or null.
     tolerance: Option<f64>,
     diagonal: f64,
-    degrees: Option<[u32; 2]>,
-    boundary_degrees: Option<[u32; 2]>,
-    off_degree: Vec<OffVertex>,
-    proven: Vec<ProvenVertex>,
+    max_degree: u32,
+    interior_degree: Option<[u32; 2]>,
+    boundary_degree: Option<[u32; 2]>,
+    violations: Vec<OffVertex>,
+    certified: Vec<ProvenVertex>,
     min_angle: f64,
     min_angle_triangle: u32,
     corner_limits: Vec<LimitingCorner>,
@@ -46,10 +48,8 @@ pub struct RemeshAnswer {
 /// A vertex whose degree is not as wanted.
 #[derive(Clone, Debug, Serialize)]
 struct OffVertex {
-    vertex: u32,
-    point: [f64; 3],
-    degree: u32,
-    on_boundary: bool,
+    #[serde(flatten)]
+    vertex: DegreeViolation<[f64; 3]>,
     /// The edges of feature curves that meet there.
     curves: u32,
 }
@@ -58,7 +58,7 @@ struct OffVertex {
 #[derive(Clone, Debug, Serialize)]
 struct LimitingCorner {
     vertex: u32,
-    point: [f64; 3],
+    position: [f64; 3],
     /// The angles between its curves.
     sectors: Vec<f64>,
     limit: f64,
@@ -71,21 +71,23 @@ impl RemeshAnswer {
         let bounds = Bounds::of_space(part.positions().iter().copied());
         let (reached, verified) = (&found.reached, &found.verified);
         let off_vertex = |off: &mindeg::remesh::OffDegree| OffVertex {
-            vertex: off.vertex,
-            point: off.at.to_array(),
-            degree: off.degree,
-            on_boundary: off.is_boundary,
+            vertex: DegreeViolation {
+                vertex: off.vertex,
+                position: off.at.to_array(),
+                degree: off.degree,
+                on_boundary: off.is_boundary,
+            },
             curves: off.curves,
         };
         let corner = |corner: &mindeg::remesh::CornerLimit| LimitingCorner {
             vertex: corner.vertex,
-            point: corner.at.to_array(),
+            position: corner.at.to_array(),
             sectors: corner.sectors.clone(),
             limit: corner.limit,
         };
-        let proven: Vec<ProvenVertex> = verified.proven.iter().map(ProvenVertex::from).collect();
+        let certified: Vec<ProvenVertex> = verified.proven.iter().map(ProvenVertex::from).collect();
         let is_open = |off: &&mindeg::remesh::OffDegree| {
-            proven.iter().all(|proven| proven.vertex != off.vertex)
+            certified.iter().all(|certified| certified.vertex != off.vertex)
         };
         let curves = |index: usize| found.curves.map(|both| both[index].into());
         Self {
@@ -95,10 +97,11 @@ impl RemeshAnswer {
             size: reached.size,
             tolerance,
             diagonal: bounds.map_or(0.0, |bounds| bounds.size().length()),
-            degrees: verified.inside,
-            boundary_degrees: verified.boundary,
-            off_degree: reached.off_degree.iter().filter(is_open).map(off_vertex).collect(),
-            proven,
+            max_degree: greatest([verified.inside, verified.boundary]),
+            interior_degree: verified.inside,
+            boundary_degree: verified.boundary,
+            violations: reached.off_degree.iter().filter(is_open).map(off_vertex).collect(),
+            certified,
             min_angle: verified.min_angle.0,
             min_angle_triangle: verified.min_angle.1,
             corner_limits: reached.corner_limits.iter().map(corner).collect(),
@@ -124,7 +127,7 @@ impl RemeshAnswer {
             true => format!("{least}"),
             false => format!("{least} to {most}"),
         };
-        let degrees = match (self.degrees, self.boundary_degrees) {
+        let degrees = match (self.interior_degree, self.boundary_degree) {
             (Some(inside), Some(boundary)) => {
                 format!("{}, {} at the boundary", range(inside), range(boundary))
             }
@@ -153,11 +156,11 @@ impl RemeshAnswer {
             lines.push(format!(
                 "{} the minimum angle, the most at {}: {}; a greater --feature-angle may drop features.",
                 things(self.corner_limits.len(), "corner limits", "corners limit"),
-                point(worst.point),
+                point(worst.position),
                 steady_angle(worst.limit)
             ));
         }
-        if let Some(first) = self.proven.first() {
+        if let Some(first) = self.certified.first() {
             let what_to_do = match first.sectors.as_slice() {
                 [sum] => format!(
                     "the part's angles there sum to {}, and only a blunter tip has room for more",
@@ -167,18 +170,18 @@ impl RemeshAnswer {
             };
             lines.push(format!(
                 "{} the degree that corners of the part force, the first is vertex {} with {}; {what_to_do}.",
-                things(self.proven.len(), "vertex has", "vertices have"),
+                things(self.certified.len(), "vertex has", "vertices have"),
                 first.vertex,
                 first.degree
             ));
         }
-        if let Some(off) = self.off_degree.first() {
+        if let Some(OffVertex { vertex: off, .. }) = self.violations.first() {
             lines.push(format!(
                 "warning: {} another degree than wanted, the first is vertex {} with {}, at {}",
-                things(self.off_degree.len(), "vertex has", "vertices have"),
+                things(self.violations.len(), "vertex has", "vertices have"),
                 off.vertex,
                 off.degree,
-                point(off.point)
+                point(off.position)
             ));
         }
         if self.crossings > 0 && self.part_crossings > 0 {

@@ -25,7 +25,7 @@ use std::fmt::Write as _;
 /// let answer = StitchAnswer::of(&stitch(&meshes, Gap::Within(&area), &Interior::default(), Progress::NONE)?);
 /// let given: usize = meshes.iter().map(|mesh| mesh.triangles().len()).sum();
 /// assert_eq!(answer.triangles, answer.new_triangles + given);
-/// assert!(answer.outside_5_to_7.is_empty());
+/// assert!(answer.violations.is_empty());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -47,7 +47,7 @@ pub struct StitchAnswer {
     /// The boundary vertices of given meshes that lie inside now.
     pub joined: usize,
     /// The joined vertices with fewer than 5 or more than 7 edges.
-    pub outside_5_to_7: Vec<JoinedVertex>,
+    pub violations: Vec<JoinedVertex>,
 }
 
 /// A vertex at which meshes were joined.
@@ -56,7 +56,7 @@ pub struct JoinedVertex {
     /// Its index.
     pub vertex: u32,
     /// Where.
-    pub at: [f64; 2],
+    pub position: [f64; 2],
     /// Its edges.
     pub degree: u32,
 }
@@ -68,8 +68,8 @@ impl StitchAnswer {
         let Stitched { mesh, triangles, vertices, min_angle, joined, dropped } = stitched;
         let row = |&vertex: &u32| {
             let degree = mesh.degrees()[vertex as usize];
-            let at = mesh.positions()[vertex as usize].truncate().to_array();
-            (!(5..=7).contains(&degree)).then_some(JoinedVertex { vertex, at, degree })
+            let position = mesh.positions()[vertex as usize].truncate().to_array();
+            (!(5..=7).contains(&degree)).then_some(JoinedVertex { vertex, position, degree })
         };
         Self {
             vertices: mesh.positions().len(),
@@ -80,7 +80,7 @@ impl StitchAnswer {
             new_triangles: triangles.len(),
             min_angle: *min_angle,
             joined: joined.len(),
-            outside_5_to_7: joined.iter().filter_map(row).collect(),
+            violations: joined.iter().filter_map(row).collect(),
         }
     }
 
@@ -106,7 +106,7 @@ impl StitchAnswer {
             count(self.triangles as u64),
         );
         let joined = count(self.joined as u64);
-        match &self.outside_5_to_7[..] {
+        match &self.violations[..] {
             [] => {
                 let _ = write!(
                     text,
@@ -118,10 +118,10 @@ impl StitchAnswer {
                     text,
                     "{joined} vertices of the meshes lie inside now; {} have fewer than 5 or more than 7 edges, such as vertex {} at \
                      ({}, {}) with {}",
-                    count(self.outside_5_to_7.len() as u64),
+                    count(self.violations.len() as u64),
                     first.vertex,
-                    first.at[0],
-                    first.at[1],
+                    first.position[0],
+                    first.position[1],
                     first.degree
                 );
             }

@@ -1,11 +1,13 @@
 //! Whether a mesh keeps the surface of a part, and what it fails.
 
 use crate::demands::Demands;
+use crate::interior::DegreeViolation;
 use crate::numbers::{count, four_digits, percent, steady_angle};
 use mindeg::TriMesh;
 use mindeg::verify::{MeshDefect, ProvenDegree, SurfaceRules, VerifiedSurface};
 use mindeg_mesh::Bounds;
 use mindeg_mesh::distance::DistanceBound;
+use mindeg_mesh::inspection::VertexDegree;
 use serde::Serialize;
 
 /// The verdict on a mesh beside a part; docs/verify.md gives the meaning of each key. Lengths are in units of the files,
@@ -18,11 +20,12 @@ pub struct SurfaceAnswer {
     defects: Vec<MeshDefect>,
     vertices: usize,
     triangles: usize,
+    max_degree: u32,
     /// The least and greatest degree; null without such a vertex.
-    degrees: Option<[u32; 2]>,
-    boundary_degrees: Option<[u32; 2]>,
-    out_of_range: Vec<u32>,
-    proven: Vec<ProvenVertex>,
+    interior_degree: Option<[u32; 2]>,
+    boundary_degree: Option<[u32; 2]>,
+    violations: Vec<DegreeViolation<[f64; 3]>>,
+    certified: Vec<ProvenVertex>,
     min_angle: f64,
     min_angle_triangle: u32,
     tolerance: f64,
@@ -60,20 +63,25 @@ impl From<&ProvenDegree> for ProvenVertex {
 /// How far the farthest point is.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Distance {
-    /// The distance of the point at `place`.
+    /// The distance of the point at `position`.
     pub at_least: f64,
     /// What no point exceeds; null if there is nothing to measure to.
     pub at_most: Option<f64>,
     /// A point that is `at_least` off.
-    pub place: [f64; 3],
+    pub position: [f64; 3],
 }
 
 impl From<DistanceBound> for Distance {
     fn from(bound: DistanceBound) -> Self {
         let at_most = Some(bound.upper).filter(|upper| upper.is_finite());
         let at_least = if bound.lower.is_finite() { bound.lower } else { 0.0 };
-        Self { at_least, at_most, place: bound.place.to_array() }
+        Self { at_least, at_most, position: bound.place.to_array() }
     }
+}
+
+/// The maximum degree of vertices by their least and greatest degrees.
+pub(crate) fn greatest(ranges: [Option<[u32; 2]>; 2]) -> u32 {
+    ranges.into_iter().flatten().map(|[_, most]| most).max().unwrap_or(0)
 }
 
 impl SurfaceAnswer {
@@ -90,6 +98,12 @@ impl SurfaceAnswer {
         let mut failed: Vec<String> =
             found.defects.iter().map(|defect| defect.message.clone()).collect();
         failed.extend(demands.unmet_by(&mesh.welded(0.0), found.min_angle.0));
+        let violation = |found: &VertexDegree| DegreeViolation {
+            vertex: found.vertex,
+            position: mesh.positions()[found.vertex as usize].to_array(),
+            degree: found.degree,
+            on_boundary: found.on_boundary,
+        };
         let boundary = |index: usize| found.boundaries.map(|both| both[index].into());
         Self {
             file: file.to_owned(),
@@ -98,10 +112,11 @@ impl SurfaceAnswer {
             defects: found.defects.clone(),
             vertices: found.vertices,
             triangles: found.triangles,
-            degrees: found.inside,
-            boundary_degrees: found.boundary,
-            out_of_range: found.out_of_range.iter().map(|found| found.vertex).collect(),
-            proven: found.proven.iter().map(ProvenVertex::from).collect(),
+            max_degree: greatest([found.inside, found.boundary]),
+            interior_degree: found.inside,
+            boundary_degree: found.boundary,
+            violations: found.out_of_range.iter().map(violation).collect(),
+            certified: found.proven.iter().map(ProvenVertex::from).collect(),
             min_angle: found.min_angle.0,
             min_angle_triangle: found.min_angle.1,
             tolerance: rules.tolerance,
@@ -132,14 +147,14 @@ impl SurfaceAnswer {
             true => format!("{least} {place}"),
             false => format!("{least} to {most} {place}"),
         };
-        let inside = self.degrees.map(|degrees| range(degrees, "off the boundary"));
-        let outside = self.boundary_degrees.map(|degrees| range(degrees, "on it"));
+        let inside = self.interior_degree.map(|degrees| range(degrees, "off the boundary"));
+        let outside = self.boundary_degree.map(|degrees| range(degrees, "on it"));
         let degrees: Vec<String> = inside.into_iter().chain(outside).collect();
-        let wrong = match self.out_of_range.len() {
+        let wrong = match self.violations.len() {
             0 => String::new(),
             wrong => format!("; {} out of range", count(wrong as u64)),
         };
-        let forced = match self.proven.len() {
+        let forced = match self.certified.len() {
             0 => String::new(),
             proven => format!("; {} as corners of the part force", count(proven as u64)),
         };

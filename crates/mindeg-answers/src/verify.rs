@@ -1,10 +1,14 @@
 //! Whether a mesh is a triangulation of a domain, how good it is, and what it fails.
 
+mod proof;
+
+use self::proof::in_words;
 use crate::demands::{Demands, WorstPlaces};
+use crate::interior::DegreeViolation;
 use crate::numbers::{count, four_digits, percent, steady_angle};
 use mindeg::exact::{self, share_of};
 use mindeg::quality::TriangleQuality;
-use mindeg::verify::{MatchedPlane, MeshDefect, Optimality, Proof, VerifiedMesh};
+use mindeg::verify::{MatchedPlane, MeshDefect, Optimality, VerifiedMesh};
 use mindeg::{Domain, Interior, Progress, TriMesh, interior};
 use serde::Serialize;
 
@@ -58,8 +62,12 @@ struct Found {
     triangles: usize,
     max_degree: u32,
     max_degree_vertex: u32,
+    /// The maximum degree where that is proven to be the least, else null.
+    least_max_degree: Option<u32>,
+    /// No mesh of the domain's points has a smaller maximum degree; null where no proof was checked.
+    at_least: Option<u32>,
     /// The vertices inside whose degree is out of the wanted range, if there are interior points.
-    out_of_range: Vec<u32>,
+    violations: Vec<DegreeViolation>,
     /// Of these vertices, the ones where the lines alone are too many.
     certified: Vec<u32>,
     /// Others that no mesh with this share of the angles there brings nearer to their limits.
@@ -150,7 +158,7 @@ impl VerifyAnswer {
         row("triangles", whole(found.triangles));
         let at = found.max_degree_vertex;
         row("maximum degree", format!("{}, at vertex {at}", found.max_degree));
-        if let Some(first) = found.out_of_range.first() {
+        if let Some(first) = found.violations.first() {
             let certified = match found.certified.len() {
                 0 => String::new(),
                 count => format!("; at {} of them no mesh keeps it, checked", whole(count)),
@@ -161,10 +169,13 @@ impl VerifyAnswer {
                     format!("; at {} no mesh with such angles does better, checked", whole(count))
                 }
             };
-            let count = whole(found.out_of_range.len());
+            let count = whole(found.violations.len());
             row(
                 "degrees inside",
-                format!("{count} out of range, the first at vertex {first}{certified}{together}"),
+                format!(
+                    "{count} out of range, the first at vertex {}{certified}{together}",
+                    first.vertex
+                ),
             );
         }
         row(
@@ -227,6 +238,11 @@ impl Found {
             Optimality::Improvable { reached, .. } => ("no", None, None, Some(*reached)),
             Optimality::Unknown { reason } => ("unknown", None, Some(reason.clone()), None),
         };
+        let at_least = match optimality {
+            Optimality::Optimal { .. } => Some(verified.max_degree),
+            Optimality::Improvable { at_least, .. } => *at_least,
+            Optimality::Unknown { .. } => None,
+        };
         let is_highest = |degree: &u32| *degree == verified.max_degree;
         let highest = verified.degrees.iter().position(is_highest).unwrap_or(0);
         let quality = |corners: &[u32; 3]| {
@@ -245,6 +261,12 @@ impl Found {
         let together = |&(point, share): &(u32, f64)| TogetherVertex {
             vertex: verified.vertex_of[point as usize],
             share,
+        };
+        let violation = |point: &u32| DegreeViolation {
+            vertex: verified.vertex_of[*point as usize],
+            position: verified.points[*point as usize].to_array(),
+            degree: verified.degrees[*point as usize],
+            on_boundary: (*point as usize) < boundary_vertices,
         };
         let vertices = |points: &[u32]| {
             points.iter().map(|point| verified.vertex_of[*point as usize]).collect::<Vec<_>>()
@@ -265,7 +287,9 @@ impl Found {
             triangles: verified.triangles.len(),
             max_degree: verified.max_degree,
             max_degree_vertex: verified.vertex_of[highest],
-            out_of_range: vertices(&verified.out_of_range),
+            least_max_degree: at_least.filter(|least| *least == verified.max_degree),
+            at_least,
+            violations: verified.out_of_range.iter().map(violation).collect(),
             certified: vertices(&verified.certified),
             together: verified.together.iter().map(together).collect(),
             optimal,
@@ -358,43 +382,4 @@ fn unified(mesh: &TriMesh, verified: &VerifiedMesh) -> TriMesh {
         verified.triangles.iter().map(|corners| corners.map(|v| verified.vertex_of[v as usize]));
     TriMesh::new(mesh.positions().to_vec(), triangles.collect())
         .expect("positions and triangles are those of a mesh")
-}
-
-/// Why no mesh has less.
-fn in_words(proof: &Proof, degree: u32) -> String {
-    use mindeg_core::Certificate;
-    let less = degree - 1;
-    match proof {
-        Proof::Certificate(Certificate::LongSide { side, .. }) => {
-            format!("side {} is so long that {less} is too little (theorem 4)", side + 1)
-        }
-        Proof::Certificate(Certificate::NoBalancedCut { least_imbalance }) => format!(
-            "every two runs of sides differ by {least_imbalance} intervals or more, and 4 takes 1 at \
-             most (theorem 5)"
-        ),
-        Proof::Certificate(_) | Proof::Counting => {
-            format!("the edges are too many for {less} at every vertex (theorems 3 and 15)")
-        }
-        Proof::Edges { edges } => format!("a vertex has {edges} edges of sides and lines"),
-        Proof::Side { intervals } => format!(
-            "a region has a straight side of {intervals} intervals, whose triangles need apexes elsewhere on it"
-        ),
-        Proof::Weights => format!(
-            "a weighted sum of the degrees is too large for {less}, whatever the triangles of each region"
-        ),
-        Proof::BlockedZigZags { chords } => format!(
-            "{chords} chords that do not lie inside block every mesh of degree {less} (theorem 13)"
-        ),
-        Proof::Apexes { edges, apexes } => {
-            format!("{edges} boundary edges have only {apexes} apexes (theorem 14)")
-        }
-        Proof::NoStrip => {
-            format!("{less} takes a strip between both rings, and none lies inside (theorem 21)")
-        }
-        Proof::Refuted { clauses: 1 } => format!("{less} contradicts itself at once (theorem 23)"),
-        Proof::Refuted { clauses } => {
-            format!("{less} is refuted by {clauses} clauses (theorem 23)")
-        }
-        _ => format!("two searches over all meshes, by different code, find none with {less}"),
-    }
 }

@@ -20,7 +20,7 @@ struct Summary {
     vertices: usize,
     triangles: usize,
     /// Vertices at the position of an earlier vertex.
-    merged_vertices: usize,
+    welded_vertices: usize,
     /// Edges inside that stayed, since groups meet there or lines run along them.
     kept_edges: usize,
     before: InteriorAnswer,
@@ -51,7 +51,7 @@ pub(crate) fn run(arguments: &ImproveArguments) -> Result<(), Failure> {
         file: file.clone(),
         vertices: improved.mesh.positions().len(),
         triangles: improved.mesh.triangles().len(),
-        merged_vertices: improved.merged,
+        welded_vertices: improved.merged,
         kept_edges: improved.kept_edges,
         before: InteriorAnswer::from(&improved.before),
         after: InteriorAnswer::from(&improved.after),

@@ -19,7 +19,7 @@ pub(crate) fn guess(error: &clap::Error, arguments: &[OsString]) -> Option<Strin
             ErrorKind::InvalidSubcommand => file_for_command(error),
             ErrorKind::UnknownArgument => {
                 let unknown = text(error, ContextKind::InvalidArg)?;
-                renamed(&unknown).or_else(|| one_too_many(command, &unknown))
+                renamed(command, &unknown).or_else(|| one_too_many(command, &unknown))
             }
             ErrorKind::MissingRequiredArgument => output_missing(command, error),
             _ => None,
@@ -32,10 +32,9 @@ fn output_missing(command: &str, error: &clap::Error) -> Option<String> {
         return None;
     };
     let example = match command {
-        "mesh" | "convert" | "fill" | "bridge" | "stitch" | "improve" | "remesh" => "-o mesh.obj",
         "compare" => "-o report.html, or give --json",
         "view" => "-o view.html",
-        _ => return None,
+        _ => "-o mesh.obj",
     };
     let is_output = |argument: &String| argument.starts_with("--output");
     missing.iter().all(is_output).then(|| format!("where to? name a file, such as {example}"))
@@ -111,8 +110,11 @@ const RENAMED: [(&str, &str); 4] = [
     ("--target", "--max-degree"),
 ];
 
-fn renamed(option: &str) -> Option<String> {
-    let (_, new) = RENAMED.iter().find(|(old, _)| *old == option)?;
+fn renamed(command: &str, option: &str) -> Option<String> {
+    // Of the commands with an option of this name, one alone demanded an angle by it.
+    let of_condition =
+        [("--limit", "--target-angle")].into_iter().filter(|_| command == "condition");
+    let (_, new) = RENAMED.into_iter().chain(of_condition).find(|(old, _)| *old == option)?;
     Some(format!("{option} is now {new}"))
 }
 

@@ -72,7 +72,7 @@ pub(crate) struct FillArguments {
 
     /// Print JSON: file, vertices, triangles, max_degree, filled (loop, vertices, first_vertex,
     /// limit, max_degree, area, area_without_limit, least_limit, area_at_least_limit, degree_without_limit, min_angle,
-    /// triangles, vertices_inside, degrees, off_degree, without_points), left_open (loop, vertices, first_vertex, reason), crossings (pairs of triangles), dropped, files.
+    /// triangles, vertices_inside, degrees, violations, without_points), left_open (loop, vertices, first_vertex, reason), crossings (pairs of triangles), dropped, files.
     /// Loops are counted from 1, vertices and triangles from 0
     #[arg(long, help_heading = "Messages")]
     pub(crate) json: bool,

@@ -32,7 +32,7 @@ pub(crate) struct ImproveArguments {
     #[command(flatten)]
     pub(crate) surface: SurfaceArguments,
 
-    /// Print a summary as JSON: file, vertices, triangles, merged_vertices, kept_edges, before, after,
+    /// Print a summary as JSON: file, vertices, triangles, welded_vertices, kept_edges, before, after,
     /// files
     #[arg(long, help_heading = "Messages")]
     pub(crate) json: bool,

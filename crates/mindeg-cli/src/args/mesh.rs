@@ -1,6 +1,6 @@
 //! `mindeg mesh`.
 
-use super::condition::{ChangeArguments, limit};
+use super::condition::{ChangeArguments, angle};
 use super::demands::PresetArgument;
 use super::domain::DomainArguments;
 use super::goal::GoalArguments;
@@ -29,7 +29,7 @@ Examples:
 /// For a solver take --interior; for a patch that must keep its points, --keep-angle 95%. By default the mesh has no
 /// points inside, the least possible maximum degree and, where half a second finds it, the largest minimum angle of
 /// all such meshes; elsewhere the best of at most 64, and the summary says so. Vertices are numbered counter-clockwise
-/// from the first corner. What is not as demanded is not written. Each file appears whole or not at all; a .gltf is
+/// from the first corner. A mesh that misses a demand is not written. Each file appears whole or not at all; a .gltf is
 /// two: do not write it twice at a time.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES, after_long_help = with_exit_codes(EXAMPLES))]
@@ -49,7 +49,7 @@ pub(crate) struct MeshArguments {
 
     /// Change the boundary first by as little as allows this minimum angle, 25° without =ANGLE, as mindeg condition
     /// does, with --size for the length of its edges. Needs --interior
-    #[arg(long, value_name = "ANGLE", value_parser = limit, num_args = 0..=1, require_equals = true,
+    #[arg(long, value_name = "ANGLE", value_parser = angle, num_args = 0..=1, require_equals = true,
         default_missing_value = "25", help_heading = "Conditioning")]
     pub(crate) condition: Option<f64>,
 

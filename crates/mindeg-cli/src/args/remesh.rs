@@ -79,9 +79,9 @@ pub(crate) struct RemeshArguments {
     #[arg(long, help_heading = "Demands")]
     pub(crate) write_anyway: bool,
 
-    /// Print JSON: file, vertices, triangles, size, tolerance, diagonal, degrees, boundary_degrees, off_degree (vertex, point,
-    /// degree, on_boundary, curves), proven (vertex, degree, allowed, sectors), min_angle, min_angle_triangle, corner_limits (vertex, point, sectors, limit), curves, corners,
-    /// patches, to_part, from_part, curves_to_part, curves_from_part (at_least, at_most, place), crossings, part_crossings,
+    /// Print JSON: file, vertices, triangles, size, tolerance, diagonal, max_degree, interior_degree, boundary_degree, violations
+    /// (vertex, position, degree, on_boundary, curves), certified (vertex, degree, allowed, sectors), min_angle, min_angle_triangle, corner_limits (vertex, position, sectors, limit), curves, corners,
+    /// patches, to_part, from_part, curves_to_part, curves_from_part (at_least, at_most, position), crossings, part_crossings,
     /// repairs (welded_points, flat_faces, doubled_faces, crowded_faces, turned_faces, split_points, filled_holes, fill_faces),
     /// dropped, defects (kind, message), files
     #[arg(long, help_heading = "Messages")]

@@ -41,7 +41,7 @@ pub(crate) struct StitchArguments {
     pub(crate) outline: OutlineOptions,
 
     /// Print JSON: vertices, triangles, overlapping and near (triangles of the second mesh that went), new_vertices, new_triangles, min_angle of the new triangles, joined (how many vertices of the
-    /// meshes lie inside now), outside_5_to_7 (those of them with fewer or more edges: vertex, at, degree), files
+    /// meshes lie inside now), violations (those of them with fewer or more edges: vertex, position, degree), files
     #[arg(long, help_heading = "Messages")]
     pub(crate) json: bool,
 

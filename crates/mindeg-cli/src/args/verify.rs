@@ -74,10 +74,10 @@ pub(crate) struct VerifyArguments {
     pub(crate) reproduce: bool,
 
     /// Print JSON: file, domain, valid, defect, plane, reversed, tolerance, farthest, boundary_vertices,
-    /// given_points, interior_points, unreferenced_vertices, triangles, max_degree, max_degree_vertex, out_of_range,
+    /// given_points, interior_points, unreferenced_vertices, triangles, max_degree, max_degree_vertex, least_max_degree, at_least, violations,
     /// certified, together, optimal, proof, reason, smaller_degree, min_angle, max_angle, min_angle_triangle, angle_limit, share_of_limit,
     /// failed, passed; for several domains file, valid, parts, failed, passed; with --surface file, part, valid, defects,
-    /// vertices, triangles, degrees, boundary_degrees, out_of_range, proven (vertex, degree, allowed, sectors), min_angle,
+    /// vertices, triangles, max_degree, interior_degree, boundary_degree, violations, certified (vertex, degree, allowed, sectors), min_angle,
     /// min_angle_triangle, tolerance, diagonal, to_part, from_part, boundary_to_part, boundary_from_part, features_from_part, crossings, part_crossings, failed, passed;
     /// with --reproduce file, version, command, inputs, differs_at, passed
     #[arg(long, help_heading = "Messages")]
