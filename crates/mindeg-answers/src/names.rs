@@ -32,10 +32,7 @@ pub(crate) const NAMED: usize = 5;
 
 /// The first of some places, and an ellipsis for the others.
 pub(crate) fn listed(places: impl IntoIterator<Item = String>, between: &str) -> String {
-    let mut places = places.into_iter();
-    let mut named: Vec<String> = places.by_ref().take(NAMED).collect();
-    named.extend(places.next().map(|_| "…".to_owned()));
-    named.join(between)
+    mindeg_mesh::listed(places, NAMED, between)
 }
 
 /// How many names the regions of domains have, each counted once.

@@ -1,7 +1,7 @@
 //! The open water, the land and the islands of a coastal model, as kinds of sides.
 
 use glam::DVec2;
-use mindeg_mesh::LineKind;
+use mindeg_mesh::{LineKind, listed};
 
 use crate::build::DomainBuilder;
 use crate::domain::Domain;
@@ -275,9 +275,7 @@ fn nowhere(part: &OpenWater, domains: &[Domain]) -> DomainError {
             };
             let mut names: Vec<String> = domains.iter().flat_map(of).collect();
             names.dedup();
-            let more = if names.len() > 10 { ", …" } else { "" };
-            names.truncate(10);
-            format!("no side is called {name:?}; there are {}{more}", names.join(", "))
+            format!("no side is called {name:?}; there are {}", listed(names, 10, ", "))
         }
     };
     Place::default().error(message)

@@ -33,6 +33,7 @@ use crate::unsolved::Unsolved;
 use any_degree::AnyDegree;
 use limited::Limited;
 use mindeg_mesh::Progress;
+use mindeg_mesh::quality::area_in_space;
 pub use problem::{LoopProblem, MAX_LOOP, MAX_STATES};
 
 /// How many edges a vertex may have.
@@ -172,5 +173,5 @@ fn keeps(problem: &LoopProblem, triangles: &[[u32; 3]], limit: u32) -> bool {
 
 fn area(problem: &LoopProblem, triangles: &[[u32; 3]]) -> f64 {
     let at = |vertex: u32| problem.points[vertex as usize];
-    triangles.iter().map(|&[a, b, c]| space::area(at(a), at(b), at(c))).sum()
+    triangles.iter().map(|corners| area_in_space(corners.map(at))).sum()
 }

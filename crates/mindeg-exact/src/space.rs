@@ -74,11 +74,6 @@ pub(crate) fn min_angle_tangent(a: DVec3, b: DVec3, c: DVec3) -> f64 {
     tangent_of(u.cross(v).length(), squares)
 }
 
-/// The area of a triangle, in square units of length.
-pub(crate) fn area(a: DVec3, b: DVec3, c: DVec3) -> f64 {
-    0.5 * (b - a).cross(c - a).length()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -117,6 +112,6 @@ mod tests {
         let in_plane = crate::measure::min_angle_tangent([a, b, c]);
         let lift = |p: glam::DVec2| DVec3::new(p.x, 0.0, p.y);
         assert_eq!(min_angle_tangent(lift(b), lift(a), lift(c)), in_plane);
-        assert_eq!(area(lift(a), lift(b), lift(c)), 4.0);
+        assert_eq!(mindeg_mesh::quality::area_in_space([a, b, c].map(lift)), 4.0);
     }
 }

@@ -8,7 +8,7 @@ use crate::session::Session;
 use glam::DVec3;
 use mindeg_domain::Projection;
 use mindeg_formats::{Format, WriteError, WriteOptions, Writer, extensions};
-use mindeg_mesh::{Mesh, Positions, Progress, Written};
+use mindeg_mesh::{Mesh, Positions, Progress, Written, listed};
 use mindeg_outlines::OutlineFormat;
 use std::fs;
 use std::io::{ErrorKind, Write};
@@ -322,12 +322,13 @@ impl Target {
         let writer = self.writer.as_ref().expect("the formats were checked before");
         let written = writer.write(mesh, &mut files, progress);
         let names = written.map_err(|error| self.failed(error))?;
-        let some = names.iter().take(MOST_NAMES).cloned().collect::<Vec<_>>().join(", ");
-        let more = if names.len() > MOST_NAMES { ", …" } else { "" };
         let path = self.path.display();
         let lines = if names.len() == 1 { "a line" } else { "lines" };
         let lines = (!names.is_empty()).then(|| {
-            format!("{path} leaves out {lines} inside, since the format has boundaries alone: {some}{more}")
+            let some = listed(names, MOST_NAMES, ", ");
+            format!(
+                "{path} leaves out {lines} inside, since the format has boundaries alone: {some}"
+            )
         });
         let depths = self.format.leaves_out_depths(mesh).then(|| {
             format!("{path} leaves out the depths, since the format has no place for them; those of ocean models have one")

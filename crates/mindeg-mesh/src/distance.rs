@@ -11,6 +11,7 @@ use glam::DVec3;
 
 use crate::box_tree::BoxTree;
 use crate::parallel::{map_chunks, sort_all};
+use crate::quality::area_in_space;
 use crate::{Bounds, Cancelled, Progress};
 
 /// How far the points of one set are from another set at most, in units of length.
@@ -75,7 +76,7 @@ pub fn distance_bound(
     }
     let target = Target::new(to);
     let first = farthest_sample(from, &target, progress)?;
-    let areas: f64 = from.iter().map(area).sum();
+    let areas: f64 = from.iter().map(|corners| area_in_space(*corners)).sum();
     let search = Search {
         target: &target,
         enough: NOTHING * bounds.size().length(),
@@ -200,7 +201,7 @@ impl Search<'_> {
         work: &mut Vec<(Piece, u32)>,
     ) -> DistanceBound {
         let mut best = DistanceBound { upper: 0.0, ..known };
-        let mut left = PIECES + (self.pieces_to_area * area(triangle)) as usize;
+        let mut left = PIECES + (self.pieces_to_area * area_in_space(*triangle)) as usize;
         work.clear();
         work.push((without_repeats(triangle.to_vec()), 0));
         while let Some((mut piece, hint)) = work.pop() {
@@ -267,10 +268,6 @@ impl Search<'_> {
         }
         upper
     }
-}
-
-fn area(&[a, b, c]: &[DVec3; 3]) -> f64 {
-    0.5 * (b - a).cross(c - a).length()
 }
 
 fn middle(piece: &[DVec3]) -> DVec3 {

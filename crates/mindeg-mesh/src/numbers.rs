@@ -1,4 +1,4 @@
-//! How numbers are written in sentences.
+//! How numbers and lists are written in sentences.
 
 /// `value` with at most `digits >= 1` significant digits, and without trailing zeros.
 ///
@@ -25,4 +25,20 @@ pub fn significant(value: f64, digits: usize) -> String {
     } else {
         format!("{}e{power}", trimmed(mantissa))
     }
+}
+
+/// The first `most` of some texts, and an ellipsis if there are more.
+///
+/// ```
+/// use mindeg_mesh::listed;
+///
+/// let names = || ["a", "b", "c"].map(str::to_owned);
+/// assert_eq!([listed(names(), 3, ", "), listed(names(), 2, ", ")], ["a, b, c", "a, b, …"]);
+/// ```
+#[must_use]
+pub fn listed(texts: impl IntoIterator<Item = String>, most: usize, between: &str) -> String {
+    let mut texts = texts.into_iter();
+    let mut first: Vec<String> = texts.by_ref().take(most).collect();
+    first.extend(texts.next().map(|_| "…".to_owned()));
+    first.join(between)
 }

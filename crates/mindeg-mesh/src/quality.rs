@@ -118,6 +118,13 @@ pub const METRICS: [Metric; 9] = [
 
 const SQRT_3: f64 = 1.732_050_807_568_877_2;
 
+/// The area of a triangle in space, in square units of length: half the cross product of its edges at the first corner.
+/// [`TriangleQuality::in_space`] takes the two shorter edges, which matters for needles alone.
+#[must_use]
+pub fn area_in_space([a, b, c]: [DVec3; 3]) -> f64 {
+    0.5 * (b - a).cross(c - a).length()
+}
+
 impl TriangleQuality {
     /// The measures of a triangle in the plane; area and scaled Jacobian are negative if it is
     /// clockwise.

@@ -7,6 +7,7 @@
 use std::collections::BTreeSet;
 
 use glam::DVec2;
+use mindeg_mesh::listed;
 
 use crate::error::OutlineError;
 use crate::nesting::polygons;
@@ -67,13 +68,8 @@ impl Outlines {
 
 /// A number of polygons with the first names.
 fn told(count: usize, names: BTreeSet<String>) -> String {
-    let mut names: Vec<String> = names.into_iter().collect();
-    if names.len() > NAMED {
-        names.truncate(NAMED);
-        names.push("…".to_owned());
-    }
-    let names = if names.is_empty() { String::new() } else { format!(" ({})", names.join(", ")) };
-    format!("{}{names}", counted(count, "polygon"))
+    let polygons = counted(count, "polygon");
+    if names.is_empty() { polygons } else { format!("{polygons} ({})", listed(names, NAMED, ", ")) }
 }
 
 /// Whether a ring of a polygon crosses the antimeridian.

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use mindeg_mesh::parallel::sort_all;
-use mindeg_mesh::{DisjointSets, weld};
+use mindeg_mesh::{DisjointSets, listed, weld};
 
 use crate::NONE;
 use crate::fault::{SurfaceError, SurfaceFault};
@@ -196,10 +196,8 @@ fn neighbours(
                 other / 3
             )),
             _ => {
-                let all: Vec<String> =
-                    same.iter().take(4).map(|(_, half)| (half / 3).to_string()).collect();
-                let more = if same.len() > 4 { ", …" } else { "" };
-                fault(format!("{} triangles share an edge ({}{more})", same.len(), all.join(", ")));
+                let all = listed(same.iter().map(|(_, half)| (half / 3).to_string()), 4, ", ");
+                fault(format!("{} triangles share an edge ({all})", same.len()));
             }
         }
     }

@@ -2,7 +2,7 @@
 //!
 //! Each loop gets the triangulation of least area under a limit on the *total* degree of its
 //! vertices: the edges that the mesh has there count. An edge that the mesh has already is not
-//! made again, so no edge gets three faces. What one loop adds counts for the next where they share
+//! made again, so no edge gets three faces. The edges that one loop adds count for the next where they share
 //! vertices; loops that share none are filled at the same time, with the same result. Where a given limit fails so, the
 //! loops are decided together: `joint.rs`.
 //!
@@ -31,7 +31,7 @@ use glam::DVec3;
 use mindeg_exact::{LoopLimit, Unsolved, fill_loop};
 use mindeg_mesh::crossing::crossings;
 use mindeg_mesh::parallel::map_all;
-use mindeg_mesh::quality::TriangleQuality;
+use mindeg_mesh::quality::{TriangleQuality, area_in_space};
 use mindeg_mesh::{Cancelled, Progress, Step, TriMesh};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::{ControlFlow, Range};
@@ -353,9 +353,6 @@ pub(crate) fn min_angle(positions: &[DVec3], triangles: &[[u32; 3]]) -> f64 {
 
 /// The area of some triangles.
 fn area(positions: &[DVec3], triangles: &[[u32; 3]]) -> f64 {
-    let doubled = |corners: &[u32; 3]| {
-        let [a, b, c] = corners.map(|vertex| positions[vertex as usize]);
-        (b - a).cross(c - a).length()
-    };
-    triangles.iter().map(doubled).sum::<f64>() / 2.0
+    let at = |vertex: u32| positions[vertex as usize];
+    triangles.iter().map(|corners| area_in_space(corners.map(at))).sum()
 }

@@ -1,12 +1,13 @@
 //! Meshes that are no surface made one: points that nearly coincide, faces without area or twice, edges of three faces or
 //! more, faces that face opposite ways, small holes.
 //!
-//! [`repaired`] mends what can be mended without asking, and counts it. What stays wrong is for the caller to find. Vertices
+//! [`repaired`] mends what can be mended without asking, and counts it. The caller has to look for faults that stay. Vertices
 //! keep their indices, so lines and names of points keep theirs.
 
 use std::collections::BTreeMap;
 
 use glam::DVec3;
+use mindeg_mesh::quality::area_in_space;
 use mindeg_mesh::{DisjointSets, Group, Progress, TriMesh, Triangles, weld};
 
 use crate::error::MeshError;
@@ -147,8 +148,7 @@ impl<'a> Faces<'a> {
     }
 
     fn area(&self, face: u32) -> f64 {
-        let [a, b, c] = self.list[face as usize].0.map(|v| self.at(v));
-        0.5 * (b - a).cross(c - a).length()
+        area_in_space(self.list[face as usize].0.map(|v| self.at(v)))
     }
 
     fn by_edge(&self) -> AtEdge {

@@ -4,6 +4,7 @@ use mindeg::inspection::{Inspection, InspectionOptions, NoConvexOutline};
 use mindeg::quality::{Distribution, METRICS};
 use mindeg_answers::inspected::InspectionReport;
 use mindeg_answers::numbers::{four_digits, steady_angle};
+use mindeg_mesh::listed;
 use std::fmt::{Display, Write};
 
 /// How many of a kind are named one by one.
@@ -70,11 +71,7 @@ fn write_defects(text: &mut String, report: &InspectionReport) -> std::fmt::Resu
 
 /// How many there are, and the first of them by name.
 fn named<T>(things: &[T], name: impl Fn(&T) -> String) -> (usize, String) {
-    let mut names = things.iter().take(NAMED).map(name).collect::<Vec<_>>().join(", ");
-    if things.len() > NAMED {
-        names.push_str(", …");
-    }
-    (things.len(), names)
+    (things.len(), listed(things.iter().map(name), NAMED, ", "))
 }
 
 fn write_counts(text: &mut String, report: &InspectionReport) -> std::fmt::Result {
@@ -165,11 +162,7 @@ fn write_outline(
 ) -> std::fmt::Result {
     match (&report.outline, &inspection.outline) {
         (Some(outline), _) => {
-            let mut counts: Vec<String> =
-                outline.intervals.iter().take(ROWS).map(u32::to_string).collect();
-            if outline.intervals.len() > ROWS {
-                counts.push("…".to_owned());
-            }
+            let counts = listed(outline.intervals.iter().map(u32::to_string), ROWS, ", ");
             let [least, found] = [outline.least_max_degree, report.max_degree];
             let comparison = if least == found { "as" } else { "where" };
             // A quad may have less edges than any triangle mesh.
@@ -180,7 +173,7 @@ fn write_outline(
                 "All vertices are on a convex outline of {} sides with {} intervals. The least \
                  maximum degree{of_triangles} for it is {least}, {comparison} this mesh has {found}.",
                 outline.intervals.len(),
-                counts.join(", ")
+                counts
             )
         }
         (None, _) if report.polygon.is_some() => match &report.polygon {

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use glam::DVec2;
+use mindeg_mesh::listed;
 
 use super::Border;
 use crate::choice::Polygon;
@@ -88,8 +89,8 @@ pub(super) fn of_polygons(
     }
     if !empty.is_empty() {
         let rings = counted(empty.len(), "ring");
-        empty.truncate(NAMED);
-        notes.push(format!("left out {rings} that bound no area: {}", empty.join(", ")));
+        let places = listed(empty, NAMED, ", ");
+        notes.push(format!("left out {rings} that bound no area: {places}"));
     }
     Ok((borders, notes))
 }

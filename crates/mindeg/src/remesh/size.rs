@@ -1,6 +1,7 @@
 //! The size that a wish comes to on a part.
 
 use glam::DVec3;
+use mindeg_mesh::quality::area_in_space;
 use mindeg_mesh::{Cancelled, Progress, TriMesh};
 use mindeg_surfaces::{SizeRules, Surface};
 
@@ -30,7 +31,7 @@ fn corners(part: &TriMesh) -> impl Iterator<Item = [DVec3; 3]> {
 }
 
 fn area(part: &TriMesh) -> f64 {
-    corners(part).map(|[a, b, c]| 0.5 * (b - a).cross(c - a).length()).sum()
+    corners(part).map(area_in_space).sum()
 }
 
 fn mean_edge(part: &TriMesh) -> f64 {
