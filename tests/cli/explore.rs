@@ -187,14 +187,14 @@ mod page {
                 json!({"keep_angle": 1.0 / 3.0}),
                 "wanted",
                 "obj",
-                "boundary-layer-channel-keep-angle-33.obj",
+                "boundary-layer-channel-keep-angle-0-3333333333333333.obj",
             ),
             (
                 &channel,
                 json!({"max_degree": 6}),
                 "wanted",
                 "msh",
-                "boundary-layer-channel-degree-6.msh",
+                "boundary-layer-channel-max-degree-6.msh",
             ),
             (
                 &channel,

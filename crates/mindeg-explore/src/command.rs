@@ -34,20 +34,25 @@ pub(crate) fn file_stem(domain: &Domain, view: View, goal: Goal) -> String {
     let which = match (view, goal) {
         (View::Interior, _) => "points-inside".to_owned(),
         (View::Delaunay, _) => "delaunay".to_owned(),
-        (View::Least, _) | (View::Wanted, Goal::LeastDegree) => "least-degree".to_owned(),
-        (View::Wanted, Goal::MaxDegree(limit)) => format!("degree-{limit}"),
-        (View::Wanted, Goal::KeepAngle(share)) => format!("keep-angle-{:.0}", 100.0 * share),
-        (View::Wanted, Goal::Optimize(_)) => "least-degree-optimized".to_owned(),
+        (View::Least, _) => "least-degree".to_owned(),
+        (View::Wanted, goal) => {
+            let (kind, value) = goal.kind_and_value();
+            stem(&format!("{} {value}", kind.key))
+        }
     };
     format!("{}-{which}", domain_stem(domain))
 }
 
 /// A domain's name in small letters, digits and dashes.
 fn domain_stem(domain: &Domain) -> String {
-    let name = domain.name().unwrap_or_default();
-    let words = name.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
-    let stem = words.map(str::to_ascii_lowercase).collect::<Vec<_>>().join("-");
+    let stem = stem(domain.name().unwrap_or_default());
     if stem.is_empty() { "mesh".to_owned() } else { stem.chars().take(60).collect() }
+}
+
+/// A text in small letters, digits and dashes.
+fn stem(text: &str) -> String {
+    let words = text.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
+    words.map(str::to_ascii_lowercase).collect::<Vec<_>>().join("-")
 }
 
 /// The command that writes the mesh of a view, ready for a POSIX shell.
