@@ -196,6 +196,16 @@ def test_an_index_too_large_is_told_as_it_is():
     assert "the index 9223372036854775813" in said
 
 
+@pytest.mark.parametrize("dtype", [np.float16, np.float32, np.int8])
+def test_an_archive_of_any_type_of_numbers_is_read(dtype, tmp_path):
+    points = np.array([[0, 0], [4, 0], [4, 3], [0, 3]])
+    np.savez(tmp_path / "m.npz", points=points.astype(dtype), triangles=np.array([[0.0, 1, 2], [0, 2, 3]]))
+    found = mindeg.read(tmp_path / "m.npz")
+    assert (found.points[:, :2] == points).all() and found.triangles.tolist() == [[0, 1, 2], [0, 2, 3]]
+    np.savez(tmp_path / "m.npz", points=points.astype(dtype), triangles=np.array([[0.0, 1, 2.5]]))
+    assert "triangles[0, 2]: is 2.5" in refusal(lambda: mindeg.read(tmp_path / "m.npz"))
+
+
 def test_a_surface_is_meshed_anew():
     corners = [[i & 1, i >> 1 & 1, i >> 2] for i in range(8)]
     quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]

@@ -117,6 +117,20 @@ fn the_summary_names_the_limit_and_what_lifts_it() {
     }
 }
 
+/// A corner that broke its degree limit once had 129% of the limit.
+#[test]
+fn no_mesh_has_more_than_all_of_the_limit() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("a.obj").display().to_string();
+    let file =
+        concat!(env!("CARGO_MANIFEST_DIR"), "/../mindeg-interior/tests/multiscale-side.json");
+    let command = ["mesh", file, "--interior", "--prefer", "angle", "-o", &out, "--json"];
+    let summary = mindeg(command).json();
+    assert_ne!(summary["corners"], serde_json::json!([]), "a limit costs angle: {summary}");
+    assert!(number(&summary["share_of_limit"]) <= 1.0, "{summary}");
+    assert!(number(&summary["min_angle"]) <= number(&summary["angle_limit"]), "{summary}");
+}
+
 #[test]
 fn impossible_targets_are_refused_with_the_limit() {
     let folder = tempfile::tempdir().expect("a folder for the file");
