@@ -166,7 +166,7 @@ impl Advice {
     ///
     /// # Errors
     ///
-    /// Those of [`mesh`] for the mesh of least degree. Others that cannot be made are left out.
+    /// The errors of [`mesh`] for the mesh of least degree. Other meshes that cannot be made are left out.
     pub fn of(domain: &Domain, progress: Progress<'_>) -> Result<Self, MeshError> {
         let fewest = mesh(domain, Goal::LeastDegree, progress)?;
         Ok(Self::beside(domain, &fewest, progress))

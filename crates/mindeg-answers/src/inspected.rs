@@ -78,7 +78,7 @@ pub struct InspectionReport {
     pub poles: Vec<Pole>,
     /// The sum of the areas.
     pub area: f64,
-    /// The least angle.
+    /// The minimum angle.
     pub min_angle: f64,
     /// The greatest angle.
     pub max_angle: f64,
@@ -86,7 +86,7 @@ pub struct InspectionReport {
     pub metrics: BTreeMap<&'static str, Distribution>,
     /// The share of triangles with an angle below so many degrees.
     pub share_below_degrees: BTreeMap<u32, f64>,
-    /// The triangles of the least angles.
+    /// The triangles with the smallest minimum angles.
     pub worst_triangles: Vec<ThinTriangle>,
     /// The convex outline of a mesh of its vertices.
     pub outline: Option<ConvexOutline>,
@@ -125,7 +125,7 @@ pub struct ThinTriangle {
     pub triangle: u32,
     /// Its vertices.
     pub vertices: [u32; 3],
-    /// Its least angle.
+    /// Its minimum angle.
     pub min_angle: f64,
     /// Its greatest angle.
     pub max_angle: f64,

@@ -147,7 +147,7 @@ impl From<&Lift> for LiftAnswer {
     }
 }
 
-/// Such as "9 intervals on side 2".
+/// A change in words: "9 intervals on side 2".
 #[must_use]
 pub fn lift_counts(lift: &Lift) -> String {
     let changes = lift.changes.iter().zip(&lift.intervals).map(|(change, count)| {

@@ -74,8 +74,8 @@ impl Column {
         Self { decimals: needed.unwrap_or(0).clamp(0, MAX_DECIMALS) as usize }
     }
 
-    /// A number of the column. One that would be left with fewer than two significant digits, or is
-    /// beyond 1e9, has an exponent.
+    /// A number of the column, with an exponent if it would keep fewer than two significant digits or is
+    /// beyond 1e9.
     #[must_use]
     pub fn number(self, value: f64) -> String {
         let least = libm::pow(10.0, 1.0 - self.decimals as f64) / 2.0;

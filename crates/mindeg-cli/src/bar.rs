@@ -1,7 +1,7 @@
 //! The progress of long work, as a bar on standard error.
 //!
-//! There is a bar only where standard error is a terminal, and only from a second on. It is gone
-//! when the work is done, or interrupted.
+//! The bar shows only on a terminal, and only after the first second. It disappears
+//! when the work ends or is interrupted.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use mindeg_answers::names::shown;

@@ -40,7 +40,7 @@ pub(crate) fn names(pattern: &Path, polygons: &[Polygon], extension: &str) -> Ve
         if taken.insert(path.to_string_lossy().to_lowercase()) {
             return path;
         }
-        // The index of a polygon is its own; with it the name is, too.
+        // Indices are unique, so a name with its index is unique.
         let path = fill(&format!("{stem}-{index}"));
         taken.insert(path.to_string_lossy().to_lowercase());
         path

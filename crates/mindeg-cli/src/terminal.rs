@@ -54,7 +54,7 @@ pub(crate) fn say(text: &str) {
 }
 
 /// A text of several lines in which nothing steers a terminal: names come from files, and files from
-/// anywhere. What would, is shown as an escape. All that the command line prints passes here.
+/// anywhere. Characters that would are shown as escapes. All that the command line prints passes here.
 pub(crate) fn safe(text: &str) -> Cow<'_, str> {
     static BROKEN: LazyLock<Vec<String>> = LazyLock::new(|| broken_names(std::env::args_os()));
     on_one_line(text, &BROKEN)

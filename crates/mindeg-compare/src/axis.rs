@@ -24,7 +24,7 @@ pub struct Axis {
 }
 
 impl Axis {
-    /// The bar of a value, from 0. What is beyond an end is in the last bar there; no number is in the
+    /// The bar of a value, from 0. A value beyond an end is in the last bar there; NaN is in the
     /// first. O(1).
     #[must_use]
     pub fn bar(&self, value: f64) -> usize {

@@ -104,7 +104,7 @@ impl Default for Provenance {
 }
 
 impl Provenance {
-    /// What a page is called whose domain or mesh has no name: the input without its folder and ending.
+    /// The title of a page whose domain or mesh has no name: the input without its folder and ending.
     pub(crate) fn title(&self) -> Option<&str> {
         Path::new(self.input.as_deref()?).file_stem()?.to_str()
     }

@@ -1,6 +1,6 @@
 //! The verdict on the figures, in sentences: first the mesh to take, then the objections to it.
 //!
-//! Every sentence is a consequence of the figures. What the tables say is not repeated.
+//! Every sentence is a consequence of the figures. No sentence repeats the tables.
 //!
 //! Limits: it speaks of the maximum degree and of minimum angles alone. Whether degree or
 //! angle matters more is the reader's to know.

@@ -1,4 +1,4 @@
-//! What a side says that is another one, moved.
+//! The description of a side that is another one, moved.
 
 /// The side that another one is moved to: it has the points of that one, moved.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -373,7 +373,7 @@ mod tests {
         assert!([0, 1, 12].iter().all(|&vertex| periodic.is_inside(vertex)));
         assert_eq!([0, 4, 9, 13].map(|corner| periodic.vertex(corner)), [0; 4]);
         assert_eq!((periodic.doubled(9), periodic.doubled(1), periodic.doubled(12)), (4, 2, 2));
-        // What is written is read again, bit for bit.
+        // Written text reads back bit for bit.
         let again = Domain::from_json(&domain.to_json()).unwrap();
         assert!(again.placement().points().eq(points.iter().copied()));
         assert_eq!(again.periodic(), domain.periodic());

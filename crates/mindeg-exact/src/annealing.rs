@@ -51,7 +51,7 @@ pub fn anneal(
 ) -> Result<Option<Vec<Vec<[u32; 3]>>>, Cancelled> {
     let stage = Stage::new(progress, "flipping edges");
     let meshes: Vec<Linked> = faces.iter().map(|(problem, _)| problem.triangulation()).collect();
-    // What every vertex has beyond its limit, below 0 where it has less.
+    // The edges of every vertex beyond its limit; below 0 where it has fewer.
     let mut beyond: Vec<i32> = most_chords.iter().map(|&most| -(most as i32)).collect();
     let (mut first_places, mut vertices) = (Vec::with_capacity(faces.len()), Vec::new());
     for (mesh, (problem, own)) in meshes.iter().zip(faces) {

@@ -92,8 +92,8 @@ impl BridgeProblem {
     ///
     /// # Panics
     ///
-    /// If a point is not finite, there are not as many external degrees as points, or a pair names
-    /// a vertex that is not there.
+    /// If a point is not finite, there are not as many external degrees as points, or an index of
+    /// a pair is out of range.
     pub fn new(
         points: [&[DVec3]; 2],
         external: [&[u32]; 2],

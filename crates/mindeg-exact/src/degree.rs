@@ -124,7 +124,7 @@ pub enum LowerBound {
 ///    see each other are within the problem's limit.
 ///
 /// With holes, windows give the upper bound, and the sum of the degrees or the apexes the lower one. The strips
-/// between two rings decide about degree 4. What is left between the bounds a [`Cover`](crate::Cover) decides, at first
+/// between two rings decide about degree 4. A [`Cover`](crate::Cover) decides the degrees between the bounds, at first
 /// with few steps, and then after windows that may make other vertices worse for a while, within
 /// [`Problem::set_max_steps`].
 ///

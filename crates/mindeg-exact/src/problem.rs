@@ -19,7 +19,7 @@ use std::sync::OnceLock;
 /// of 20,000 vertices has some 10^9, an L of 2,000 has 2.5 * 10^8.
 pub const MAX_TRIPLES: u64 = 4_000_000_000;
 
-/// The steps of a search with holes by default, some 5 seconds on one core. What is between the bounds of a degree gets four
+/// The steps of a search with holes by default, some 5 seconds on one core. Degrees between the bounds get four
 /// times as many.
 pub const COVER_STEPS: u64 = 1_000_000_000;
 

@@ -85,7 +85,7 @@ impl<T: Copy + Default> Rows<T> {
         Self { up, down }
     }
 
-    /// Adds a piece. Those of each vertex come by ascending length.
+    /// Adds a piece. The pieces of each vertex come by ascending length.
     pub(crate) fn put(&mut self, i: u32, j: u32, value: T) {
         self.up.put(i, j, value);
         self.down.put(j, i, value);

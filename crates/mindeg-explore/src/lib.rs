@@ -1,8 +1,8 @@
 //! `mindeg explore`: a page on this machine on which a boundary is edited and its meshes follow.
 //!
 //! [`answer`] takes what the page asks for and gives lines of answers, the fast ones first; [`Server`] puts
-//! it, the page and the files behind a loopback address that only the page can talk to. What they say to
-//! each other is in [`api`].
+//! it, the page and the files behind a loopback address that only the page can talk to. Their messages to
+//! each other are in [`api`].
 //!
 //! ```no_run
 //! use mindeg_explore::{Server, Setup};

@@ -82,7 +82,7 @@ const SIZES: &str = "file of sizes";
 /// The field in a file's bytes.
 fn field_of(name: &str, bytes: &[u8]) -> Result<Field, FileError> {
     Field::read(bytes).map_err(|error| {
-        // What breaks classic NetCDF is told as it is.
+        // Faults of classic NetCDF are told as they are.
         let foreign = foreign::extension_of(bytes).filter(|_| !bytes.starts_with(b"CDF"));
         let advice = foreign.and_then(|extension| foreign::advice(extension, name));
         FileError::wrong(format!("{name}: {}", advice.unwrap_or(error.to_string())))

@@ -11,9 +11,9 @@
 //! in 2.2 meshio cannot read element data of a mesh with segments, so 2.2 files have none. Tags in data are 32 bits, also in 4.1: Gmsh reads only these, whatever its
 //! manual says.
 //!
-//! Limits: names end at a line's end and have no `"`. Of what is read, only nodes, triangles,
-//! quadrilaterals, lines, entities, periodic curves and physical names count; data and parametric
-//! coordinates are passed over. Elements of higher order are taken by their corners.
+//! Limits: names end at a line's end and have no `"`. The reader takes nodes, triangles,
+//! quadrilaterals, lines, entities, periodic curves and physical names, and skips data and parametric
+//! coordinates. Elements of higher order are taken by their corners.
 
 mod entities;
 mod parts;

@@ -71,7 +71,7 @@ pub(crate) fn numbers<'a>(
         let word = words.iter().find_map(|word| name.strip_prefix(word)?.strip_prefix(' '));
         let text = word.unwrap_or(name);
         let number: i64 = text.parse().ok().filter(|number| allowed.contains(number))?;
-        // There is one way to write it: `07` is no number.
+        // A number has one spelling: `07` is none.
         (number.to_string() == text && taken.insert(number)).then_some(number)
     };
     let own: Vec<Option<i64>> = names.into_iter().map(own).collect();

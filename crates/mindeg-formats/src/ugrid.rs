@@ -186,7 +186,7 @@ fn header(
     mut start: u64,
 ) -> Vec<u8> {
     let mut bytes = b"CDF\x02".to_vec();
-    // There is no dimension that grows.
+    // No dimension grows.
     put(&mut bytes, &[0, DIMENSIONS, dimensions.len() as u32]);
     for (name, length) in dimensions {
         put_name(&mut bytes, name);

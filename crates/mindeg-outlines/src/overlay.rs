@@ -3,7 +3,7 @@
 //! The rings become a planar subdivision: edges that meet at their ends alone, each with the change of
 //! the winding numbers across it. Edges with inside on one side and outside on the other bound the
 //! polygons, so that these neither overlap nor cross. All decisions are exact; only points where edges
-//! cross are rounded. What crosses nothing keeps its points bit for bit, and its curves.
+//! cross are rounded. A ring that crosses nothing keeps its points bit for bit, and its curves.
 //!
 //! Limits: curves meet as their chords do, by turns of 15 degrees, and become chords where they meet
 //! something.

@@ -96,7 +96,7 @@ impl Surface {
     ///
     /// # Errors
     ///
-    /// Those of [`new`](Self::new).
+    /// The errors of [`new`](Self::new).
     ///
     /// # Panics
     ///

@@ -1,19 +1,30 @@
-//! Meshes of a domain from its boundary points alone, with the least possible maximum degree.
+//! Triangle meshes of domains, models and surfaces whose boundary stays as it is, with proven degrees and angles.
 //!
-//! A [`Domain`] and a goal go in, a [`BoundaryMesh`] comes out: of least degree by a formula, at any
-//! size, or with the largest minimum angle under a degree limit, by an exact search.
+//! A [`Domain`] and a [`Goal`] go in, a mesh of its boundary points comes out: of the least maximum degree, or with the
+//! largest minimum angle under a degree limit.
 //!
 //! ```
-//! use mindeg::{BoundaryMesh, Domain, Side};
+//! use mindeg::{Domain, Goal, Progress, mesh};
 //!
-//! let domain = Domain::rectangle(4.0, 3.0, [12, 9, 4, 4].map(Side::count).to_vec())?;
-//! let mesh = BoundaryMesh::least_degree(&domain)?;
-//! assert_eq!(mesh.max_degree(), 5);
+//! let outline = [[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]];
+//! let hole = [[1.0, 1.0], [1.0, 2.0], [2.0, 2.0], [2.0, 1.0]];
+//! let domain = Domain::from_rings([outline, hole])?;
+//! let mesh = mesh(&domain, Goal::LeastDegree, Progress::NONE)?.mesh;
+//! assert_eq!((mesh.max_degree(), mesh.vertex_count()), (4, 8));
 //! for (vertex, point) in mesh.points().enumerate() {
 //!     println!("{vertex} {} {}", point.x, point.y);
 //! }
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! | for | call |
+//! |---|---|
+//! | a mesh with points inside | [`interior::mesh`]; [`interior::improve`] for a mesh of any program |
+//! | all degrees and their largest angles | [`exact::trade_off`] |
+//! | the faces of a model together | [`model::mesh_model`] |
+//! | a surface meshed anew, closed or joined | [`remesh`], [`fill`], [`bridge`], [`stitch`], [`repair`] |
+//! | a check of any mesh by code of its own | [`verify`] |
+//! | files | the crates `mindeg-formats` (meshes) and `mindeg-outlines` (domains of other programs) |
 //!
 //! Vertices, sides and triangles have indices from 0; vertices and sides run counter-clockwise, vertex 0
 //! is the first corner; triangles are counter-clockwise and y points up. Everything is f64, and
@@ -31,8 +42,7 @@
 //!
 //! # Limits
 //!
-//! Polygons in the plane, with or without holes. Triangles use boundary points only, so a boundary
-//! that is dense against the width of its domain has thin triangles, whatever the mesh. The formula
+//! Without points inside, a boundary that is dense against the width of its domain has thin triangles, whatever the mesh. The formula
 //! takes convex domains, of any size. On other domains the solver finds the least maximum degree with
 //! its proof; where too many vertices see each other, it states the gap.
 

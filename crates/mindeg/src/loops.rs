@@ -1,7 +1,7 @@
 //! The boundary loops of a mesh, as filling and bridging take them.
 //!
 //! Vertices with equal coordinates count as one, the first of them: so the seams of a file are no
-//! boundary. Loops run in the direction of the faces. One that comes through a vertex twice is
+//! boundary. Loops run in the direction of the faces. A loop that comes through a vertex twice is
 //! taken apart there, so that no loop touches itself and a vertex between two holes becomes a
 //! sound one when both are closed. A vertex in which two parts of the mesh touch, each with a loop
 //! of its own, stays such a vertex.

@@ -14,7 +14,7 @@ const OF_MESH: &Groups = &[
     ("Output", &["output", "json"]),
 ];
 
-/// What `-h` hides in all other commands: what few need, and those know from `--help`.
+/// Options that `-h` hides in all other commands: few users need them, and `--help` shows them.
 const HIDDEN: [&str; 26] = [
     "feature",
     "proof",

@@ -35,7 +35,7 @@ pub(crate) struct InteriorArguments {
 }
 
 /// Wishes for the mesh inside, as given; with `PLACES` also where points go, not only what an optimiser
-/// aims at. What is given here is demanded: if it is not reached, nothing is written.
+/// aims at. Options given here are demands: if a mesh misses one, nothing is written.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Wanted<const PLACES: bool> {
     given: Map<String, Value>,

@@ -19,7 +19,7 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// Compares every domain. What fails is listed, and the others go on.
+/// Compares every domain. Domains that fail are listed, and the others go on.
 pub(super) fn run(
     arguments: &CompareArguments,
     options: &CompareOptions,

@@ -7,7 +7,7 @@ use mindeg::Domain;
 use mindeg_files::{Format, PolygonFile};
 use std::path::PathBuf;
 
-/// What to do with polygons that are not the regions of one mesh.
+/// Advice for polygons that are not the regions of one mesh.
 pub(super) const SEPARATE: &str = "give --separate and a folder, such as -o meshes/, for a mesh of each polygon, or choose one with --feature";
 
 /// Whether the polygons of a file are regions of one mesh: with interior points, unless each is wanted by itself.
@@ -20,7 +20,7 @@ pub(super) fn is_one_mesh(arguments: &MeshArguments) -> bool {
     !arguments.separate && !arguments.surface.output.iter().any(|path| is_pattern(path))
 }
 
-/// Meshes every polygon. One that has no mesh, or fails a gate, does not keep the others from it.
+/// Meshes every polygon. If one has no mesh, or fails a demand, the others still get theirs.
 pub(super) fn run(
     arguments: &MeshArguments,
     polygons: &PolygonFile,

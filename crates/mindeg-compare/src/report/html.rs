@@ -117,7 +117,7 @@ pub(super) struct Figure<'a> {
     pub(super) defects: Vec<&'a str>,
     pub(super) thinned: Option<String>,
     pub(super) has_triangles: bool,
-    /// Those that make it, if it is advised.
+    /// The commands that make it, if it is advised.
     pub(super) commands: Vec<String>,
 }
 

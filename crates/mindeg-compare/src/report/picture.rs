@@ -260,7 +260,7 @@ fn measure(scene: &Scene, shown: &ShownMetric) -> Measure {
 }
 
 /// The range of a measure in the meshes that matter most, mindeg's and Delaunay's: others would
-/// flatten the differences between these two. What is beyond goes to the ends, as do the zeros and
+/// flatten the differences between these two. Values beyond it go to its ends, as do the zeros and
 /// infinities of flat triangles.
 fn axis(scene: &Scene, shown: &ShownMetric) -> [f64; 2] {
     let matters = |figures: &MethodFigures| {

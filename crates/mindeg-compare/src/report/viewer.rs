@@ -64,8 +64,8 @@ pub fn space_script() -> &'static str {
 
 /// The script of the reports' viewer, for a page or a worker of its own: a classic script.
 ///
-/// It begins with `DEGREE_COLORS`, the colors of degrees from the lowest. What it draws is a scene:
-/// `scene.js` at its beginning says what that is.
+/// It begins with `DEGREE_COLORS`, the colors of degrees from the lowest. It draws a scene, which
+/// the beginning of `scene.js` describes.
 ///
 /// # Example
 ///

@@ -1,5 +1,5 @@
 //! The search over all triangulations, once more: from the definition of a chord, with no thought for
-//! speed. What it does not find does not exist.
+//! speed. A mesh that it does not find does not exist.
 //!
 //! A piece is the part of the polygon beyond a chord or boundary edge. To the rest it matters only by its
 //! chords at the two ends of that edge, so of each piece the least such pairs are kept.

@@ -33,7 +33,7 @@ const REPORT: u64 = 64;
 /// Activities are scaled down when they exceed this.
 const MOST_ACTIVITY: f64 = 1e100;
 
-/// What a search expects to find. It decides about chords first, and about the more active of them, and tries:
+/// Whether a search expects a mesh or a proof. It decides about chords first, and about the more active of them, and tries:
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Expected {
     /// The last value, at first that of a given mesh.
@@ -186,7 +186,7 @@ impl<'a> Search<'a> {
         left: &mut u64,
         stage: &Stage<'_>,
     ) -> Result<Decision, Cancelled> {
-        // Those before the first call count, too.
+        // Steps before the first call count, too.
         let before = if self.is_begun { self.steps } else { 0 };
         let decision = self.decide_until(before, before.saturating_add(*left), stage);
         // Without space it never decides.

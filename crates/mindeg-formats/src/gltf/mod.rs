@@ -14,7 +14,7 @@
 //! shape in them: where the range of x, y or z begins eight times its own length from the
 //! origin, or farther out, positions count from the middle of the range, and the node's
 //! translation moves them back; so they do wherever neighbors on a boundary would fall together
-//! otherwise. Those that fall together all the same are an error that names them.
+//! otherwise. Vertices that still fall together are an error that names them.
 //!
 //! **Limits**: a `.glb` ends at 4 GiB, and a mesh that takes more is refused before the
 //! first byte; a `.bin` has no such end. Triangles so thin that 32-bit floats make them flat

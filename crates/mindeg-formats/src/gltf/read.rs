@@ -118,8 +118,8 @@ impl Notes {
 /// Positions in a place: an accessor, and the bits of what moves it there.
 type PlacedPositions = (usize, [u64; 16]);
 
-/// How many vertices, triangles and lines a file may have for each of its bytes. A file that says each of
-/// them has 10 bytes and more; but an accessor without bytes is as long as it says, and a mesh has as many
+/// How many vertices, triangles and lines a file may have for each of its bytes. A file that stores each of
+/// them has 10 bytes and more; but an accessor without bytes has any length it declares, and a mesh has as many
 /// copies as nodes.
 const MOST_PER_BYTE: u64 = 100;
 

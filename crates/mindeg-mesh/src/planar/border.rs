@@ -184,7 +184,7 @@ impl PlanarBoundary {
         Border { boundary, vertices, edges }
     }
 
-    /// Those of some edges with the domain on a side, from both ends; those of a vertex counter-clockwise.
+    /// The spokes of edges with the domain on a side, from both ends; at each vertex counter-clockwise.
     fn spokes_of(&self, edges: &[u32], beside: impl Fn(u32) -> [bool; 2]) -> Vec<Spoke> {
         let mut spokes: Vec<Spoke> = edges
             .iter()

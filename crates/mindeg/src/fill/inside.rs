@@ -37,7 +37,7 @@ pub(super) struct Filling {
 pub(super) struct Around(BTreeMap<u32, Vec<[u32; 3]>>);
 
 impl Around {
-    /// Those of a mesh, with vertices of equal coordinates as one. O(n log n).
+    /// The surroundings of loops in a mesh, with vertices of equal coordinates as one. O(n log n).
     pub(super) fn of(mesh: &TriMesh, loops: &Loops, all: &[MeshLoop]) -> Self {
         let vertices = all.iter().flat_map(|found| &found.vertices);
         let mut around = Self(vertices.map(|v| (*v, Vec::new())).collect());

@@ -19,7 +19,7 @@ use std::collections::BTreeMap;
 /// The shares of loops, by their indices.
 pub(super) type Shares = BTreeMap<usize, Share>;
 
-/// What a loop may take of all that it has in common with others.
+/// A loop's share of the edges and degrees that it has in common with others.
 #[derive(Debug, Clone)]
 pub(super) struct Share {
     /// The limit, if one is given, and the degrees that count at the loop's vertices, backward: those that leave its part.
@@ -129,7 +129,7 @@ pub(super) fn share(
     Ok(false)
 }
 
-/// The filling of least area within a loop's share. What is told without a limit is that of the loop alone.
+/// The filling of least area within a loop's share. Area and degree without a limit are those of the loop alone.
 pub(super) fn solve(
     mesh: &TriMesh,
     found: &MeshLoop,

@@ -36,8 +36,8 @@ const FLAT: f64 = 1e-9;
 /// what is wanted.
 ///
 /// The plane may be any in space. Vertices with equal coordinates are merged first. Edges between groups and
-/// along lines stay, so that groups and lines do. Of what is wanted, degrees, target and preference
-/// count; sizes are as they are. The result is never worse than the input.
+/// along lines stay, so that groups and lines do. Degrees, target and preference
+/// count; wanted sizes are ignored. The result is never worse than the input.
 ///
 /// # Errors
 ///

@@ -107,7 +107,7 @@ fn wanted(rules: &SurfaceRules, on_boundary: bool) -> RangeInclusive<u32> {
     if on_boundary { 0..=rules.boundary_degree } else { rules.inside.clone() }
 }
 
-/// Those of some vertices whose degrees the corners of the part force.
+/// The vertices out of range whose degrees the corners of the part force.
 fn proven(
     out_of_range: &[VertexDegree],
     [own, part]: [&Sides; 2],

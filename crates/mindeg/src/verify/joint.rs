@@ -277,7 +277,7 @@ impl<'a> JointCheck<'a> {
 /// For each of a number of vertices its number in the mesh that is joined at periodic sides.
 fn joined_numbers(domain: &Domain, count: usize) -> Vec<u32> {
     let Some(periodic) = domain.periodic() else { return (0..count as u32).collect() };
-    // What is one, by the pairs alone, until nothing changes.
+    // Vertices that the pairs make one, until nothing changes.
     let mut least: Vec<u32> = (0..count as u32).collect();
     let mut is_changed = true;
     while is_changed {
