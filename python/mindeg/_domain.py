@@ -91,7 +91,7 @@ class Domain(_mindeg._Domain):
     def condition(
         self,
         *,
-        target_angle: float = 25.0,
+        limit: float = 25.0,
         within: float | None = None,
         size: float | None = None,
         growth: float | None = None,
@@ -99,14 +99,14 @@ class Domain(_mindeg._Domain):
         narrowest: float | None = None,
         keep: Sequence[str] = (),
     ) -> tuple[Domain, dict[str, Any]]:
-        """The least change of the boundary that lets a mesh with points inside have no angle below ``target_angle`` degrees.
+        """The least change of the boundary that lets a mesh with points inside have no angle below ``limit`` degrees.
 
         The boundary moves by ``within`` at most, an eighth of ``size`` without it; ``size`` is the length of edges, ``keep``
         names sides that stay. Straits, inlets and spits below ``narrowest`` are closed or cut off. A border of two regions changes once, for both. Gives the new domain, and the changes as ``mindeg
         condition --json`` has them.
         """
         keep = [keep] if isinstance(keep, str) else list(keep)
-        text, changes = self._condition(target_angle, (within, size, growth, least_island, narrowest), keep)
+        text, changes = self._condition(limit, (within, size, growth, least_island, narrowest), keep)
         return _mindeg._Domain.__new__(Domain, text), changes
 
     def compare(self) -> dict[str, Any]:

@@ -112,11 +112,11 @@ def test_a_boundary_is_conditioned():
     assert domain.mesh(interior=True).report["min_angle"] > 25
     step = mindeg.Domain([[0, 0], [5, 0], [5, 0.01], [10, 0.01], [10, 10], [0, 10]])
     assert step.condition(within=0.02)[1]["dropped"] == 1
-    assert step.condition(size=2, target_angle=20)[1]["moved"] <= 0.25
+    assert step.condition(size=2, limit=20)[1]["moved"] <= 0.25
     with pytest.raises(ValueError, match='no side "nix" to keep'):
         strait.condition(keep="nix")
     with pytest.raises(ValueError, match="at most 40"):
-        strait.condition(target_angle=50)
+        strait.condition(limit=50)
 
 
 def test_meshes_are_stitched():

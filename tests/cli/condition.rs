@@ -12,8 +12,7 @@ fn domain(name: &str) -> String {
 fn two_points_on_edges_lift_the_limit_and_the_mesh() {
     let folder = tempfile::tempdir().expect("a folder");
     let new = folder.path().join("britain.json").display().to_string();
-    let run =
-        mindeg(["condition", &domain("great-britain.json"), "--target-angle", "30", "-o", &new]);
+    let run = mindeg(["condition", &domain("great-britain.json"), "--limit", "30", "-o", &new]);
     assert_eq!(
         run.text(),
         "great-britain: 391 boundary points become 393: 0 dropped, 2 put on edges, 0 sharp corners cut off, 0 holes \
@@ -29,7 +28,7 @@ fn two_points_on_edges_lift_the_limit_and_the_mesh() {
     let written: serde_json::Value =
         serde_json::from_slice(&std::fs::read(&new).expect("a file")).expect("JSON");
     assert_eq!(written["sides"][0]["name"], "coast");
-    let again = mindeg(["condition", &new, "--target-angle", "30", "--json"]).json();
+    let again = mindeg(["condition", &new, "--limit", "30", "--json"]).json();
     assert_eq!((&again["points_before"], &again["points"]), (&json!(393), &json!(393)));
     assert_eq!((&again["is_reached"], &again["changes"]), (&json!(true), &json!([])));
 }
@@ -56,7 +55,7 @@ fn nothing_moves_without_a_distance_and_nothing_farther_with_one() {
 fn bad_demands_are_refused_with_what_to_do() {
     let gusset = domain("gusset.json");
     for (more, words) in [
-        (["--target-angle", "50"], &["--target-angle", "40"][..]),
+        (["--limit", "50"], &["--limit", "40"][..]),
         (["--within", "-1"], &["--within", "above 0"]),
         (["--growth", "0.1"], &["--growth", "0.35"]),
         (["--keep", "nix"], &["\"nix\" to keep", "flange, free-edge, web"]),
@@ -113,8 +112,7 @@ fn one_step_gives_the_mesh_of_two_and_tells_the_changes() {
     let (sea, two, one, changes) =
         (path("sea.json"), path("2.14"), path("1.14"), path("c.geojson"));
     mindeg(
-        [&["condition"], &project[..], &["--target-angle", "24", "--size", "4km", "-o", &sea]]
-            .concat(),
+        [&["condition"], &project[..], &["--limit", "24", "--size", "4km", "-o", &sea]].concat(),
     )
     .text();
     mindeg(["mesh", &sea, "--interior", "--open", "box", "-o", &two]).text();

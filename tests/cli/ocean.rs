@@ -78,7 +78,7 @@ fn a_coast_in_degrees_becomes_a_grid_with_open_water_islands_and_depths() {
         &coast(),
         "--project",
         "auto",
-        "--target-angle",
+        "--limit",
         "25",
         "--size",
         "2km",

@@ -133,7 +133,7 @@ fn a_recipe_reaches_no_other_file() {
         format!("mesh --rectangle 4x3 --size 1 --output={shown}"),
         "mesh --rectangle 4x3 --size 1 -o ../victim.obj".to_owned(),
         "mesh --rectangle 4x3 --size 1 -o ..%2Fvictim.obj".to_owned(),
-        "condition plate.json --target-angle 20 --within 1 -o victim.obj".to_owned(),
+        "condition plate.json --limit 20 --within 1 -o victim.obj".to_owned(),
         "degree 12,9,4,4 --proof victim.obj".to_owned(),
         "mesh --help -o victim.obj".to_owned(),
         "mesh --rectangle 4x3 --size 1 -o other.vtu".to_owned(),

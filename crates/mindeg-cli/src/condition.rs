@@ -21,7 +21,7 @@ pub(crate) fn run(arguments: &ConditionArguments) -> Result<(), Failure> {
     refuse_degrees(&subject, &arguments.change, size)?;
     let Parts { name: of_all, mut domains } = subject.parts()?;
     arguments.kinds.tell(&mut domains)?;
-    let demands = arguments.change.demands(arguments.target_angle, size, arguments.growth);
+    let demands = arguments.change.demands(arguments.limit, size, arguments.growth);
     let found = bar.waiting("conditioning the boundary", || {
         condition_all(&domains, &demands, &arguments.change.keep)
     });

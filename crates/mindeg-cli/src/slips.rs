@@ -111,10 +111,10 @@ const RENAMED: [(&str, &str); 4] = [
 ];
 
 fn renamed(command: &str, option: &str) -> Option<String> {
-    // Of the commands with an option of this name, one alone demanded an angle by it.
-    let of_condition =
-        [("--limit", "--target-angle")].into_iter().filter(|_| command == "condition");
-    let (_, new) = RENAMED.into_iter().chain(of_condition).find(|(old, _)| *old == option)?;
+    if command == "condition" && option == "--target-angle" {
+        return Some("condition has --limit, the angle that the boundary shall allow".to_owned());
+    }
+    let (_, new) = RENAMED.iter().find(|(old, _)| *old == option)?;
     Some(format!("{option} is now {new}"))
 }
 

@@ -10,7 +10,7 @@ use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
 Examples:
-  mindeg condition assets/domains/great-britain.json --target-angle 30 -o britain.json
+  mindeg condition assets/domains/great-britain.json --limit 30 -o britain.json
   mindeg condition assets/domains/great-britain.json --within 5 --size 20 --json
   mindeg mesh britain.json --interior -o britain.14
   mindeg condition assets/outlines/saronic.geojson --project auto --size 2km";
@@ -29,8 +29,8 @@ pub(crate) struct ConditionArguments {
     pub(crate) file: PathBuf,
 
     /// The minimum angle that the boundary shall allow, in degrees, at most 40
-    #[arg(long, value_name = "A", value_parser = angle, default_value = "25", allow_hyphen_values = true)]
-    pub(crate) target_angle: f64,
+    #[arg(long, value_name = "ANGLE", value_parser = angle, default_value = "25", allow_hyphen_values = true)]
+    pub(crate) limit: f64,
 
     /// The length that edges should have: shorter ones are joined within --within, longer ones divided; such as 4000 or 4km
     #[arg(long, value_name = "LENGTH", value_parser = length_with_unit, allow_hyphen_values = true)]
