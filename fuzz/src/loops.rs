@@ -3,7 +3,7 @@
 
 use arbitrary::Arbitrary;
 use glam::DVec3;
-use mindeg::bridge::bridge;
+use mindeg::bridge::{BridgeOptions, bridge};
 use mindeg::fill::{FillOptions, fill};
 use mindeg::{Loops, Progress, TriMesh};
 use mindeg_mesh::weld;
@@ -43,7 +43,7 @@ pub(crate) fn run(input: Input) {
         (a.clone(), &Loops::of(a)),
         other.zip(loops_of_b.as_ref()),
         ends,
-        max_degree,
+        &BridgeOptions { max_degree, ..BridgeOptions::default() },
         Progress::NONE,
     ) {
         let n = joined.mesh.positions().len() as u32;

@@ -154,6 +154,7 @@ def bridge(
     first: Mesh,
     second: Mesh | None = None,
     *,
+    interior: bool = False,
     through: tuple[int, int] | None = None,
     max_degree: int | None = None,
 ) -> Mesh: ...
@@ -187,6 +188,9 @@ def bridge_loops(
     excluded: Sequence[tuple[int, int]] = (),
     max_degree: int | None = None,
 ) -> tuple[npt.NDArray[np.uint32], dict[str, Any]]: ...
+def _points_between(
+    rims: Sequence[npt.ArrayLike], triangles: npt.ArrayLike, around: npt.ArrayLike
+) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.uint32]]: ...
 def _improve(
     points: Mesh | npt.ArrayLike, triangles: npt.ArrayLike | None, options: str
 ) -> Mesh: ...

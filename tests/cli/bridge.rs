@@ -272,3 +272,35 @@ fn linked_and_huge_loops_are_bridged_and_told() {
         assert_eq!((&found["strip"], &found["max_degree"]), (&json!([4, 12]), &json!(5)), "{size}");
     }
 }
+
+/// A tube of `n` faces around between two heights, and at the rim of each end.
+fn ring(n: usize, heights: [f64; 2]) -> String {
+    let turn = |i: usize| std::f64::consts::TAU * i as f64 / n as f64;
+    let points = heights
+        .iter()
+        .flat_map(|z| (0..n).map(move |i| format!("v {} {} {z}\n", turn(i).cos(), turn(i).sin())));
+    let faces = (0..n).map(|i| {
+        let [a, b] = [i + 1, (i + 1) % n + 1];
+        format!("f {a} {b} {}\nf {b} {} {}\n", a + n, b + n, a + n)
+    });
+    points.chain(faces).collect()
+}
+
+#[test]
+fn ends_far_apart_are_joined_with_points_between() {
+    let files = [("lower.obj", &*ring(16, [0.0, 0.4])), ("upper.obj", &*ring(16, [5.0, 5.4]))];
+    let ends = ["--from", "v16", "--to", "v0"];
+    let (_, plain) = bridge(&files, &[&ends[..], &["--json"]].concat());
+    let (folder, run) = bridge(&files, &[&ends[..], &["--json", "--interior"]].concat());
+    let (plain, found) = (plain.json(), run.json());
+    assert_eq!((&plain["vertices_inside"], &plain["violations"]), (&Value::Null, &json!([])));
+    assert_eq!((&found["violations"], &found["crossings"]), (&json!([]), &json!([])));
+    assert_eq!(found["vertices_inside"][0], 64);
+    let [least, most] = [0, 1].map(|i| found["degrees"][i].as_u64().unwrap());
+    assert!(least >= 5 && most <= 7 && found["max_degree"] == most, "{found}");
+    let angle = |of: &Value| of["min_angle"].as_f64().unwrap();
+    assert!(angle(&plain) < 6.0 && angle(&found) > 30.0, "{plain} {found}");
+    assert!(run.errors.contains("points inside: degrees 5 to"), "{}", run.errors);
+    let mesh = inspected(folder.path());
+    assert_eq!((&mesh["boundary_loops"], &mesh["components"]), (&json!(2), &json!(1)));
+}

@@ -2,7 +2,7 @@
 
 use crate::numbers::{four_digits, percent, steady_angle};
 use mindeg::bridge::Bridged;
-use mindeg::fill::{FIRST_LIMIT, FillOptions, Filled, FilledLoop};
+use mindeg::fill::{FIRST_LIMIT, FillOptions, Filled, FilledLoop, PointsInside};
 use mindeg::{Loops, MeshLoop};
 use serde::Serialize;
 
@@ -102,7 +102,6 @@ impl OpenLoop {
 impl FilledLoopAnswer {
     fn of(found: &FilledLoop, loops: &Loops) -> Self {
         let inside = found.inside.as_ref().and_then(|inside| inside.as_ref().ok());
-        let off = |&[vertex, degree]: &[u32; 2]| OffVertex { vertex, degree };
         Self {
             name: LoopName::new(found.index, &loops.list()[found.index]),
             limit: found.limit,
@@ -116,7 +115,7 @@ impl FilledLoopAnswer {
             triangles: [found.triangles.start, found.triangles.end],
             vertices_inside: inside.map(|it| [it.vertices.start, it.vertices.end]),
             degrees: inside.map(|it| it.degrees),
-            violations: inside.into_iter().flat_map(|it| &it.off_degree).map(off).collect(),
+            violations: inside.map_or_else(Vec::new, off_vertices),
             without_points: found.inside.clone().and_then(Result::err),
         }
     }
@@ -126,19 +125,10 @@ impl FilledLoopAnswer {
         let (name, area, points) = (self.name.text(), four_digits(self.area), end - first);
         let points = if points == 1 { "1 point".to_owned() } else { format!("{points} points") };
         let angle = steady_angle(self.min_angle);
-        let text = format!(
-            "{name}: {points} inside, degrees {least} to {most} on it and inside, area {area}, minimum angle {angle}"
-        );
-        match &self.violations[..] {
-            [] => text,
-            [OffVertex { vertex, degree }] => {
-                format!("{text}; vertex {vertex} has {degree} edges, not 5 to 7")
-            }
-            [OffVertex { vertex, degree }, others @ ..] => format!(
-                "{text}; vertex {vertex} has {degree} edges, not 5 to 7, and so have {} more",
-                others.len()
-            ),
-        }
+        let off = off_degree_text(&self.violations);
+        format!(
+            "{name}: {points} inside, degrees {least} to {most} on it and inside, area {area}, minimum angle {angle}{off}"
+        )
     }
 
     /// The limit, the area, and what the limit costs; `extra_area` is the share that decided the limit, unless the
@@ -227,7 +217,7 @@ impl FillAnswer {
     }
 }
 
-/// Two loops joined by a strip; angles in degrees.
+/// Two loops joined by a bridge; angles in degrees.
 #[derive(Clone, Debug, Serialize)]
 pub struct BridgeAnswer {
     from: LoopName,
@@ -245,6 +235,14 @@ pub struct BridgeAnswer {
     angle_without_limit: f64,
     degree_without_limit: u32,
     planar: bool,
+    /// The vertices inside: the first, and the one after the last; null without any.
+    vertices_inside: Option<[u32; 2]>,
+    /// The least and the greatest degree of the vertices inside and on the loops, where there are points inside.
+    degrees: Option<[u32; 2]>,
+    /// Vertices with other degrees than 5 to 7 there.
+    violations: Vec<OffVertex>,
+    /// Why there are no points inside though they were asked for.
+    without_points: Option<String>,
     crossings: Vec<[u32; 2]>,
     /// The kinds of values at vertices that files have and the mesh lacks.
     dropped: Vec<&'static str>,
@@ -257,13 +255,14 @@ impl BridgeAnswer {
     #[must_use]
     pub fn of(result: &Bridged, from: LoopName, to: LoopName) -> Self {
         let strip = &result.strip;
+        let inside = result.inside.as_ref().and_then(|inside| inside.as_ref().ok());
         Self {
             from,
             to,
             vertices: result.mesh.positions().len(),
             triangles: result.mesh.triangles().len(),
             strip: [result.triangles.start, result.triangles.end],
-            max_degree: strip.max_degree,
+            max_degree: inside.map_or(strip.max_degree, |it| it.degrees[1]),
             least_max_degree: strip.least_max_degree,
             at_least: strip.lower_bound,
             min_angle: result.min_angle,
@@ -271,15 +270,38 @@ impl BridgeAnswer {
             angle_without_limit: strip.without_limit.0,
             degree_without_limit: strip.without_limit.1,
             planar: strip.is_planar,
+            vertices_inside: inside.map(|it| [it.vertices.start, it.vertices.end]),
+            degrees: inside.map(|it| it.degrees),
+            violations: inside.map_or_else(Vec::new, off_vertices),
+            without_points: result.inside.clone().and_then(Result::err),
             crossings: result.crossings.clone(),
             dropped: result.mesh.dropped().to_vec(),
             turned_over: result.turned_over,
         }
     }
 
+    /// The bridge with its points inside.
+    fn text_inside(&self, [first, end]: [u32; 2], [least, most]: [u32; 2]) -> String {
+        let points = end - first;
+        format!(
+            "joined {} and {} with {} triangles and {points} point{} inside: degrees {least} to {most} on the loops and inside, minimum \
+             angle {}{}",
+            self.from.text(),
+            self.to.text(),
+            self.strip[1] - self.strip[0],
+            if points == 1 { "" } else { "s" },
+            steady_angle(self.min_angle),
+            off_degree_text(&self.violations),
+        )
+    }
+
     /// The loops that were joined, and the next step.
     #[must_use]
     pub fn text(&self) -> String {
+        if let (Some(vertices), Some(degrees)) = (self.vertices_inside, self.degrees) {
+            let text = self.text_inside(vertices, degrees);
+            return text + &crossing_text(&self.crossings) + &dropped_text(&self.dropped);
+        }
         let optimal = match (self.max_degree, self.least_max_degree, self.at_least) {
             (degree, least, bound) if degree == least && least == bound => {
                 "the least possible, as counting proves".to_owned()
@@ -298,6 +320,9 @@ impl BridgeAnswer {
             self.max_degree,
             steady_angle(self.min_angle),
         );
+        if let Some(why) = &self.without_points {
+            text += &format!("\nno points inside: {why}");
+        }
         if let Some(next) = self.next_min_angle {
             let (more, next) = (self.max_degree + 1, steady_angle(next));
             text += &format!("\nhint: --max-degree {more} gives a minimum angle of {next}");
@@ -322,6 +347,26 @@ pub fn not_in_the_mesh(dropped: &[&str]) -> Option<String> {
 /// The same on a line of its own.
 fn dropped_text(dropped: &[&str]) -> String {
     not_in_the_mesh(dropped).map_or_else(String::new, |sentence| format!("\n{sentence}"))
+}
+
+/// A remark on vertices with other degrees than 5 to 7, after a semicolon; empty if there are none.
+fn off_degree_text(violations: &[OffVertex]) -> String {
+    match violations {
+        [] => String::new(),
+        [OffVertex { vertex, degree }] => {
+            format!("; vertex {vertex} has {degree} edges, not 5 to 7")
+        }
+        [OffVertex { vertex, degree }, others @ ..] => format!(
+            "; vertex {vertex} has {degree} edges, not 5 to 7, and so have {} more",
+            others.len()
+        ),
+    }
+}
+
+/// The vertices with other degrees, as objects.
+fn off_vertices(inside: &PointsInside) -> Vec<OffVertex> {
+    let off = |&[vertex, degree]: &[u32; 2]| OffVertex { vertex, degree };
+    inside.off_degree.iter().map(off).collect()
 }
 
 /// A remark on new triangles that cross others, on a line of its own; empty if none do.

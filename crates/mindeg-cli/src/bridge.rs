@@ -5,7 +5,7 @@ use crate::boundary_loops::{index_of, listed};
 use crate::demands::new_triangles_met;
 use crate::failure::Failure;
 use crate::making::Making;
-use mindeg::bridge::bridge;
+use mindeg::bridge::{BridgeOptions, bridge};
 use mindeg::{Loops, TriMesh};
 use mindeg_answers::loops::{BridgeAnswer, LoopName};
 use std::path::Path;
@@ -78,8 +78,9 @@ pub(crate) fn run(arguments: &BridgeArguments) -> Result<(), Failure> {
     making.open()?;
     let other = second.as_ref().map(|side| (&side.mesh, &side.loops));
     let both = (mesh, &loops);
+    let options = BridgeOptions { max_degree: arguments.max_degree, interior: arguments.interior };
     let result = making
-        .work(|progress| bridge(both, other, [from, to], arguments.max_degree, progress))
+        .work(|progress| bridge(both, other, [from, to], &options, progress))
         .map_err(Failure::input)?;
     let (angle, strip) = (result.min_angle, &result.triangles);
     new_triangles_met(arguments.target_angle, &result.mesh, strip, angle)?;

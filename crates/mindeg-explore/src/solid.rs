@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use mindeg::bridge::bridge;
+use mindeg::bridge::{BridgeOptions, bridge};
 use mindeg::fill::{FillOptions, fill};
 use mindeg::glam::DVec3;
 use mindeg::quality::TriangleQuality;
@@ -46,7 +46,7 @@ pub(crate) struct Asked {
     change: Change,
     /// The edge length of a surface meshed anew.
     size: Option<f64>,
-    /// Whether holes are filled with points inside.
+    /// Whether holes are filled, or loops joined, with points inside.
     #[serde(default)]
     interior: bool,
     /// The indices of the loops to fill or to join, with commas between; all without it.
@@ -222,7 +222,8 @@ fn changed(
             };
             let name = |index: usize| LoopName::new(index, &loops.list()[index]);
             let names = ends.map(name);
-            let result = bridge((mesh, &loops), None, ends, None, progress)
+            let options = BridgeOptions { interior: asked.interior, ..BridgeOptions::default() };
+            let result = bridge((mesh, &loops), None, ends, &options, progress)
                 .map_err(|error| error.to_string())?;
             let [from, to] = names;
             let words = BridgeAnswer::of(&result, from, to).text();

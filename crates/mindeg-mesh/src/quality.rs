@@ -159,6 +159,16 @@ impl TriangleQuality {
     }
 }
 
+/// The minimum angle of some triangles in space, in degrees; infinite without any.
+#[must_use]
+pub fn min_angle(positions: &[DVec3], triangles: &[[u32; 3]]) -> f64 {
+    let angle = |corners: &[u32; 3]| {
+        let [a, b, c] = corners.map(|vertex| positions[vertex as usize]);
+        TriangleQuality::in_space(a, b, c).min_angle
+    };
+    triangles.iter().map(angle).fold(f64::INFINITY, f64::min)
+}
+
 /// The measures of a triangle, and a vector along its normal.
 fn measure(a: DVec3, b: DVec3, c: DVec3) -> (TriangleQuality, DVec3) {
     // Scaled by powers of two to a size of about 1, exactly, so that no difference or product of

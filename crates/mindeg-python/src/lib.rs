@@ -33,7 +33,7 @@ mod _mindeg {
     #[pymodule_export]
     use super::interior::sizes_of_file;
     #[pymodule_export]
-    use super::loops::{bridge, bridge_loops, fill, fill_loop, stitch};
+    use super::loops::{between, bridge, bridge_loops, fill, fill_loop, stitch};
     #[pymodule_export]
     use super::mesh::{Mesh, improve, read};
     #[pymodule_export]

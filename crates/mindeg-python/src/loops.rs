@@ -1,7 +1,7 @@
 //! Loops in space: closing one, joining two; and those of whole meshes.
 
-use mindeg::bridge::bridge as joined;
-use mindeg::fill::{EXTRA_AREA, FIRST_LIMIT, FillOptions, fill as closed};
+use mindeg::bridge::{BridgeOptions, bridge as joined};
+use mindeg::fill::{EXTRA_AREA, FIRST_LIMIT, FillOptions, fill as closed, points_between};
 use mindeg::glam::DVec3;
 use mindeg::stitch::{Gap, stitch as stitched};
 use mindeg::{Loops, TriMesh};
@@ -86,6 +86,32 @@ pub(crate) fn bridge_loops<'py>(
     Ok((arrays::rows(py, found.triangles)?, facts))
 }
 
+/// Points inside a surface between rims in space, and its triangles. `rims` is a list of (n, 3) arrays, `triangles` a surface between
+/// them by the indices of all their points, and `around` the corners of the triangles beside them, three rows each.
+#[pyfunction]
+#[pyo3(name = "_points_between")]
+pub(crate) fn between<'py>(
+    py: Python<'py>,
+    rims: Vec<Bound<'py, PyAny>>,
+    triangles: &Bound<'py, PyAny>,
+    around: &Bound<'py, PyAny>,
+) -> PyResult<(Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<u32>>)> {
+    let rims: Vec<Vec<DVec3>> =
+        rims.iter().map(|rim| ring(rim, "rims")).collect::<PyResult<_>>()?;
+    let plain = arrays::index_rows(triangles)?;
+    let count: usize = rims.iter().map(Vec::len).sum();
+    if plain.iter().flatten().any(|&vertex| vertex as usize >= count) {
+        return Err(value_error(format!("triangles name a point beyond the {count} of the rims")));
+    }
+    let corners = arrays::positions(around, "around", 3..=3)?;
+    let around: Vec<[DVec3; 3]> = corners.as_chunks().0.to_vec();
+    let rims: Vec<&[DVec3]> = rims.iter().map(Vec::as_slice).collect();
+    let (points, triangles) =
+        done(py, |progress| points_between(&rims, &plain, &around, progress))?;
+    let points = points.iter().map(DVec3::to_array);
+    Ok((arrays::rows(py, points.collect())?, arrays::rows(py, triangles)?))
+}
+
 /// Close the holes of a mesh: each boundary loop by the triangulation of least area under a limit on the total degree.
 ///
 /// Takes a mesh in hand, or points and triangles. `through` are vertices: only loops through these are filled; else all, but
@@ -134,17 +160,21 @@ pub(crate) fn fill(
 }
 
 /// Join two boundary loops by a strip of triangles: the least maximum degree, or within `max_degree`, and the largest
-/// minimum angle.
+/// minimum angle. With `interior`, by a tube with points inside, 5 to 7 edges at each vertex, that continues both ends smoothly.
 ///
 /// With one mesh, two of its loops; with two, a loop of each, and the result has both. `through` are two vertices, one on each
-/// loop; without it a mesh must have as many loops as are joined. `groups["bridge"]` of the result is the strip; `report` has the
+/// loop; without it a mesh must have as many loops as are joined. `groups["bridge"]` of the result are the new triangles; `report` has the
 /// keys of `mindeg bridge --json`.
 #[pyfunction]
-#[pyo3(signature = (first, second=None, *, through=None, max_degree=None))]
+#[pyo3(
+    signature = (first, second=None, *, interior=false, through=None, max_degree=None),
+    text_signature = "(first, second=None, *, interior=False, through=None, max_degree=None)"
+)]
 pub(crate) fn bridge(
     py: Python<'_>,
     first: &Bound<'_, Mesh>,
     second: Option<&Bound<'_, Mesh>>,
+    interior: bool,
     through: Option<[u32; 2]>,
     max_degree: Option<u32>,
 ) -> PyResult<Mesh> {
@@ -173,7 +203,8 @@ pub(crate) fn bridge(
     };
     let names = [(&loops, a), (target, b)].map(|(of, at)| LoopName::new(at, &of.list()[at]));
     let both = second.as_ref().zip(other.as_ref());
-    let found = done(py, |progress| joined((first, &loops), both, [a, b], max_degree, progress))?;
+    let options = BridgeOptions { max_degree, interior };
+    let found = done(py, |progress| joined((first, &loops), both, [a, b], &options, progress))?;
     let [from, to] = names;
     let report = dict(py, &BridgeAnswer::of(&found, from, to))?.cast_into::<PyDict>()?;
     Ok(Mesh::new(found.mesh, Facts { report: Some(report.unbind()), ..Facts::default() }))

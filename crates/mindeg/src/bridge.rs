@@ -11,33 +11,48 @@
 //! against both: forward along the one loop reversed, and backward along the other. So the two
 //! loops advance round the strip in opposite senses of their own, as the two ends of a tube do.
 //!
+//! With points inside, the strip is only where the search begins: [`BridgeOptions::interior`].
+//!
 //! The loops may be of one mesh, or of two, which are then joined: first the vertices and triangles
 //! of the first mesh, then those of the second, then the strip, as the group `bridge`.
 
 use crate::error::MeshError;
-use crate::fill::min_angle;
 use crate::loops::{LoopDefect, Loops};
+use crate::points_inside::{Around, NoPoints, PointsInside};
 use mindeg_exact::{Bridge, BridgeProblem, bridge_rings, largest_bridge_angle};
 use mindeg_mesh::crossing::crossings;
-use mindeg_mesh::{Progress, TriMesh};
-use std::collections::BTreeMap;
+use mindeg_mesh::quality::min_angle;
+use mindeg_mesh::{Cancelled, Progress, TriMesh};
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 /// The name of the group of the strip.
 pub const BRIDGE: &str = "bridge";
+
+/// What a bridge should be; by default a strip without points inside, of the least degree that is possible.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct BridgeOptions {
+    /// The limit on total degrees of the strip; without one, the least that is possible.
+    pub max_degree: Option<u32>,
+    /// Whether the bridge has points inside: edges about as long as those of the loops, 5 to 7 of them at each vertex of the bridge and
+    /// its loops, in a tube that continues the mesh at both ends as smoothly as it can. The strip is what it begins with.
+    pub interior: bool,
+}
 
 /// A mesh with two of its loops joined.
 #[derive(Clone, Debug)]
 pub struct Bridged {
     /// The mesh.
     pub mesh: TriMesh,
-    /// The strip's triangles.
+    /// The bridge's triangles.
     pub triangles: Range<u32>,
-    /// The figures of the strip; its triangles are by indices of the loops' vertices.
+    /// The figures of the strip without points inside; its triangles are by indices of the loops' vertices.
     pub strip: Bridge,
-    /// The minimum angle of the strip, in degrees.
+    /// Its points inside, or why it has none though they were asked for; `None` if they were not.
+    pub inside: Option<Result<PointsInside, String>>,
+    /// The minimum angle of the bridge, in degrees.
     pub min_angle: f64,
-    /// The strip's triangles that cross another triangle, each with the first that it crosses.
+    /// The bridge's triangles that cross another triangle, each with the first that it crosses.
     pub crossings: Vec<[u32; 2]>,
     /// The largest minimum angle of a strip in degrees, if the second mesh were turned over, where
     /// that is more than twice as large: then one of the meshes probably is inside out.
@@ -45,7 +60,7 @@ pub struct Bridged {
 }
 
 /// Joins a loop of a mesh to another one, or to a loop of a second mesh, each given with its loops, by the strip of least
-/// maximum degree, or within `max_degree`, with the largest minimum angle.
+/// maximum degree, or within [`BridgeOptions::max_degree`], with the largest minimum angle; or with points inside.
 ///
 /// # Errors
 ///
@@ -54,7 +69,7 @@ pub struct Bridged {
 /// # Example
 ///
 /// ```
-/// use mindeg::{Loops, Progress, TriMesh, bridge::bridge, glam::DVec3};
+/// use mindeg::{Loops, Progress, TriMesh, bridge::{BridgeOptions, bridge}, glam::DVec3};
 ///
 /// // Two pyramids without bases, back to back.
 /// let pyramid = |z: f64, tip: f64, n: u32| {
@@ -65,7 +80,8 @@ pub struct Bridged {
 /// };
 /// let (top, bottom) = (pyramid(1.0, 2.0, 8)?, pyramid(-1.0, -2.0, 5)?);
 /// let (loops, other) = (Loops::of(&top), Loops::of(&bottom));
-/// let joined = bridge((top, &loops), Some((&bottom, &other)), [0, 0], None, Progress::NONE)?;
+/// let options = BridgeOptions::default();
+/// let joined = bridge((top, &loops), Some((&bottom, &other)), [0, 0], &options, Progress::NONE)?;
 /// assert!(joined.mesh.boundary_loops().is_empty());
 /// // Three edges of the pyramids, one of the strip, and two more.
 /// assert_eq!(joined.strip.max_degree, 6);
@@ -75,7 +91,7 @@ pub fn bridge(
     a: (TriMesh, &Loops),
     b: Option<(&TriMesh, &Loops)>,
     [from, to]: [usize; 2],
-    max_degree: Option<u32>,
+    options: &BridgeOptions,
     progress: Progress<'_>,
 ) -> Result<Bridged, MeshError> {
     let (a, own) = a;
@@ -130,7 +146,7 @@ pub fn bridge(
     let [x_points, y_points] = [at(&a, &x), at(b.unwrap_or(&a), &y)];
     let external = [&external[0][..], &external[1]];
     let problem = BridgeProblem::new([&x_points, &y_points], external, excluded)?;
-    let strip = bridge_rings(&problem, max_degree, progress)?;
+    let strip = bridge_rings(&problem, options.max_degree, progress)?;
     let turned_over = match b {
         Some(_) if !strip.is_planar => {
             let backward: Vec<_> = y_points.iter().rev().copied().collect();
@@ -150,17 +166,61 @@ pub fn bridge(
         None => a,
     };
     let start = whole.triangles().len() as u32;
-    let mesh = whole.with_triangles_added(BRIDGE, &triangles)?;
+    let y: Vec<u32> = y.iter().map(|&vertex| first + vertex).collect();
+    let between = options
+        .interior
+        .then(|| with_points(&whole, [&x, &y], &triangles, progress))
+        .transpose()?;
+    let (mesh, triangles, inside) = match between {
+        Some(Ok((mesh, triangles, inside))) => (mesh, triangles, Some(Ok(inside))),
+        without => {
+            let reason = without.and_then(Result::err).map(Err);
+            (whole.with_triangles_added(BRIDGE, &triangles)?, triangles, reason)
+        }
+    };
     progress.report("looking for crossings", 0, 1)?;
     let new = start..mesh.triangles().len() as u32;
     let same = |vertex: u32| match other {
-        Some(other) if vertex >= first => first + other.same[(vertex - first) as usize],
-        _ => own.same[vertex as usize],
+        // Points inside are no vertex twice.
+        Some(other) if vertex >= first => {
+            other.same.get((vertex - first) as usize).map_or(vertex, |same| first + same)
+        }
+        _ => own.same.get(vertex as usize).copied().unwrap_or(vertex),
     };
     let merged: Vec<[u32; 3]> = mesh.triangles().iter().map(|t| t.map(same)).collect();
     let crossings = crossings(mesh.positions(), &merged, new.clone());
     let min_angle = min_angle(mesh.positions(), &triangles);
-    Ok(Bridged { mesh, triangles: new, strip, min_angle, crossings, turned_over })
+    Ok(Bridged { mesh, triangles: new, strip, inside, min_angle, crossings, turned_over })
+}
+
+/// A mesh with a bridge, the bridge's triangles, and its points inside; or why there are none.
+type WithPoints = Result<(TriMesh, Vec<[u32; 3]>, PointsInside), String>;
+
+/// A mesh with a bridge that has points inside; `strip` is one without.
+fn with_points(
+    whole: &TriMesh,
+    rims: [&[u32]; 2],
+    strip: &[[u32; 3]],
+    progress: Progress<'_>,
+) -> Result<WithPoints, MeshError> {
+    let loops = Loops::of(whole);
+    let first = |vertex: u32| loops.same[vertex as usize];
+    let [x, y] = rims.map(|rim| rim.iter().map(|&vertex| first(vertex)).collect::<Vec<u32>>());
+    let strip: Vec<[u32; 3]> = strip.iter().map(|corners| corners.map(first)).collect();
+    let around = Around::of(whole, &loops, x.iter().chain(&y).copied());
+    let next = whole.positions().len();
+    let filling = match around.meshed(whole, &[&x, &y], &strip, next, progress) {
+        Ok(filling) => filling,
+        Err(NoPoints::Cancelled) => return Err(Cancelled.into()),
+        Err(NoPoints::Because(reason)) => return Ok(Err(reason)),
+    };
+    let mesh = whole.clone().with_vertices_added(&filling.points)?;
+    let mesh = mesh.with_triangles_added(BRIDGE, &filling.triangles)?;
+    let mut inside = PointsInside::of(next as u32..mesh.positions().len() as u32);
+    let loops = Loops::of(&mesh);
+    let open: BTreeSet<u32> = loops.list().iter().flat_map(|it| &it.vertices).copied().collect();
+    inside.judge(&[&x, &y], |v| (loops.degrees[v as usize], open.contains(&v)));
+    Ok(Ok((mesh, filling.triangles, inside)))
 }
 
 /// The vertices of a sound loop.

@@ -11,27 +11,20 @@
 //!
 //! Limits: the filling may cross other triangles; [`Filled::crossings`] names where.
 
-#[cfg(feature = "interior")]
-mod fairing;
-mod inside;
 mod joint;
-mod no_points;
 mod posed;
-#[cfg(feature = "interior")]
-mod search;
 
-use self::inside::Around;
-pub use self::inside::PointsInside;
 use self::joint::{Share, Shares};
-use self::no_points::NoPoints;
 use self::posed::posed;
 use crate::error::MeshError;
 use crate::loops::{Loops, MeshLoop};
+use crate::points_inside::{Around, NoPoints};
+pub use crate::points_inside::{PointsInside, points_between};
 use glam::DVec3;
 use mindeg_exact::{LoopLimit, Unsolved, fill_loop};
 use mindeg_mesh::crossing::crossings;
 use mindeg_mesh::parallel::map_all;
-use mindeg_mesh::quality::{TriangleQuality, area_in_space};
+use mindeg_mesh::quality::{area_in_space, min_angle};
 use mindeg_mesh::{Cancelled, Progress, Step, TriMesh};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::{ControlFlow, Range};
@@ -263,7 +256,8 @@ fn fill_with(
     let first_triangle = mesh.triangles().len();
     let mut points = Vec::new();
     let (mut filled, mut triangles) = (Vec::new(), Vec::new());
-    let mut around = Around::of(&mesh, &loops, if options.interior { all } else { &[] });
+    let on_loops = all.iter().flat_map(|found| &found.vertices).copied();
+    let mut around = Around::of(&mesh, &loops, on_loops.filter(|_| options.interior));
     for (index, (solved, plain)) in solutions {
         let rim = &all[index].vertices;
         let mut found = FilledLoop {
@@ -281,7 +275,7 @@ fn fill_with(
         let mut own = plain;
         if options.interior {
             let next = mesh.positions().len() + points.len();
-            match around.meshed(&mesh, rim, &own, next, progress) {
+            match around.meshed(&mesh, &[rim], &own, next, progress) {
                 Ok(filling) => {
                     own = filling.triangles;
                     points.extend(filling.points);
@@ -311,7 +305,7 @@ fn fill_with(
         found.min_angle = min_angle(mesh.positions(), own);
         if let Some(Ok(inside)) = &mut found.inside {
             let degree = |v: u32| (loops.degrees[v as usize], is_open.contains(&v));
-            inside.judge(&all[found.index].vertices, degree);
+            inside.judge(&[&all[found.index].vertices], degree);
             found.max_degree = inside.degrees[1];
             found.area = area(mesh.positions(), own);
         }
@@ -340,15 +334,6 @@ fn levels(tasks: &[usize], all: &[MeshLoop]) -> Vec<Vec<usize>> {
         levels[level].push(index);
     }
     levels
-}
-
-/// The minimum angle of some triangles, in degrees.
-pub(crate) fn min_angle(positions: &[DVec3], triangles: &[[u32; 3]]) -> f64 {
-    let angle = |corners: &[u32; 3]| {
-        let [a, b, c] = corners.map(|vertex| positions[vertex as usize]);
-        TriangleQuality::in_space(a, b, c).min_angle
-    };
-    triangles.iter().map(angle).fold(f64::INFINITY, f64::min)
 }
 
 /// The area of some triangles.

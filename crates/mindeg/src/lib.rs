@@ -63,6 +63,7 @@ mod loops;
 mod map;
 mod meshed;
 pub mod model;
+mod points_inside;
 mod posed;
 mod regions;
 #[cfg(feature = "interior")]

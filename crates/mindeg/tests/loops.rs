@@ -2,7 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use mindeg::bridge::bridge;
+use mindeg::bridge::{BridgeOptions, bridge};
 use mindeg::fill::{FILL, FillOptions, Filled, fill};
 use mindeg::glam::DVec3;
 use mindeg::inspection::{Inspection, InspectionOptions};
@@ -10,6 +10,9 @@ use mindeg::{LoopDefect, Loops, Progress, TriMesh, Triangles};
 use proptest::prelude::*;
 
 const EDGES_THERE: &str = "every triangulation of it needs an edge that the mesh has already";
+
+/// A bridge without points inside.
+const STRIP: BridgeOptions = BridgeOptions { max_degree: None, interior: false };
 
 fn inspected(mesh: &TriMesh) -> Inspection {
     Inspection::of(mesh, &InspectionOptions::default())
@@ -425,7 +428,7 @@ fn loops_that_are_not_there_are_refused() {
         ([0, 7], "there is no loop 8; the mesh has 2 boundary loops"),
         ([1, 1], "both ends of the bridge are loop 2; give two loops"),
     ] {
-        let error = bridge((tube.clone(), &Loops::of(&tube)), None, loops, None, Progress::NONE)
+        let error = bridge((tube.clone(), &Loops::of(&tube)), None, loops, &STRIP, Progress::NONE)
             .unwrap_err();
         assert_eq!(error.to_string(), message);
     }
@@ -444,7 +447,7 @@ fn a_bridge_joins_two_meshes_or_two_loops_of_one() {
             (lower.clone(), &Loops::of(&lower)),
             Some((&upper, &Loops::of(&upper))),
             [1, 0],
-            None,
+            &STRIP,
             Progress::NONE,
         )
         .unwrap();
@@ -460,14 +463,14 @@ fn a_bridge_joins_two_meshes_or_two_loops_of_one() {
 
         // Two parts of one mesh: the same strip.
         let both = lower.clone().with_mesh_added(&upper).unwrap();
-        let again =
-            bridge((both.clone(), &Loops::of(&both)), None, [1, 2], None, Progress::NONE).unwrap();
+        let again = bridge((both.clone(), &Loops::of(&both)), None, [1, 2], &STRIP, Progress::NONE)
+            .unwrap();
         assert_eq!(again.mesh.triangles(), joined.mesh.triangles());
     }
     // A tube whose ends are joined is a torus.
     let bent = tube(12, &[1.0, 2.0, 2.5, 2.0], |_| 0.0);
     let torus =
-        bridge((bent.clone(), &Loops::of(&bent)), None, [0, 1], None, Progress::NONE).unwrap();
+        bridge((bent.clone(), &Loops::of(&bent)), None, [0, 1], &STRIP, Progress::NONE).unwrap();
     assert_sound(&torus.mesh, 0, 0);
 }
 
@@ -482,7 +485,7 @@ fn a_mesh_that_is_inside_out_is_noticed() {
         (lower.clone(), &Loops::of(&lower)),
         Some((&upper, &Loops::of(&upper))),
         [1, 0],
-        None,
+        &STRIP,
         Progress::NONE,
     )
     .unwrap();
@@ -502,7 +505,7 @@ fn a_ring_in_a_plane_is_closed_without_folds() {
         (outer.clone(), &Loops::of(&outer)),
         Some((&inner, &Loops::of(&inner))),
         [hole, 0],
-        None,
+        &STRIP,
         Progress::NONE,
     )
     .unwrap();
@@ -519,8 +522,8 @@ fn a_bridge_between_loops_that_touch_is_refused() {
     let loops = Loops::of(&open);
     let small = (0..loops.list().len()).filter(|&i| loops.list()[i].vertices.len() == 4);
     let [a, b] = small.collect::<Vec<_>>()[..] else { panic!("two holes") };
-    let error =
-        bridge((open.clone(), &Loops::of(&open)), None, [a, b], None, Progress::NONE).unwrap_err();
+    let error = bridge((open.clone(), &Loops::of(&open)), None, [a, b], &STRIP, Progress::NONE)
+        .unwrap_err();
     let message = "the loops touch at vertex 12; a bridge needs loops without a common vertex";
     assert_eq!(error.to_string(), message);
 }
@@ -570,7 +573,7 @@ proptest! {
         prop_assert!(edges(&Loops::of(&closed.mesh)) <= edges(&loops));
         if loops.list().len() > 1 {
             // Nothing panics, and the joined mesh is no worse.
-            if let Ok(joined) = bridge((open.clone(), &Loops::of(&open)), None, [0, 1], None, Progress::NONE) {
+            if let Ok(joined) = bridge((open.clone(), &Loops::of(&open)), None, [0, 1], &STRIP, Progress::NONE) {
                 let after = inspected(&joined.mesh);
                 prop_assert_eq!(after.non_manifold_edges.len(), before.non_manifold_edges.len());
             }
@@ -675,6 +678,64 @@ fn points_inside_stay_in_the_plane_of_a_sheet() {
         assert!(inside.off_degree.is_empty() && filled.min_angle > 25.0, "{filled:?}");
         for v in inside.vertices {
             assert!((found.mesh.positions()[v as usize].z - 2.0).abs() < 1e-9);
+        }
+    }
+}
+
+/// The tube between two ends far apart has points inside, keeps its radius and is smooth at both ends.
+#[test]
+fn points_inside_a_bridge_go_on_as_both_ends_do() {
+    let ring = |n: u32, radius: f64| tube(n, &[radius; 3], |_| 0.0);
+    let raised = |mesh: &TriMesh| {
+        let points = mesh.positions().iter().map(|&point| point + DVec3::Z * 6.0).collect();
+        TriMesh::new(points, mesh.triangles().to_vec()).unwrap()
+    };
+    // Where one rim has shorter edges, sizes grow from it within few rows.
+    for (n, least) in [(16, 35.0), (30, 15.0)] {
+        let (lower, upper) = (ring(16, 1.0), raised(&ring(n, 1.0)));
+        let options = BridgeOptions { interior: true, ..STRIP };
+        let both = [Loops::of(&lower), Loops::of(&upper)];
+        let join = || {
+            let other = Some((&upper, &both[1]));
+            bridge((lower.clone(), &both[0]), other, [1, 0], &options, Progress::NONE).unwrap()
+        };
+        let joined = join();
+        assert_sound(&joined.mesh, 2, 0);
+        assert_kept(&lower, &joined.mesh, "bridge");
+        assert_eq!(joined.crossings, [[0; 2]; 0]);
+        let inside = joined.inside.clone().unwrap().unwrap();
+        assert!(inside.vertices.len() > 100 && inside.off_degree.is_empty(), "{inside:?}");
+        assert!(inside.degrees[0] >= 5 && inside.degrees[1] <= 7);
+        assert!(joined.min_angle > least && joined.strip.min_angle < 6.0, "{}", joined.min_angle);
+        for v in inside.vertices {
+            let radius = joined.mesh.positions()[v as usize].truncate().length();
+            assert!((0.9..1.1).contains(&radius), "{radius}");
+        }
+        assert_eq!(join().mesh, joined.mesh);
+    }
+}
+
+/// A rim that waves as a crown: a filling in the direction of the faces along it folds at the crests.
+#[test]
+fn points_inside_do_not_fold_on_wavy_rims() {
+    for (waves, is_folded) in [(2.0, false), (3.0, false), (6.0, true)] {
+        let n = 16_u32;
+        let turn = |i: u32| std::f64::consts::TAU * f64::from(i) / f64::from(n);
+        let at = |i: u32| {
+            let height = 0.3 * libm::sin(waves * turn(i));
+            DVec3::new(libm::cos(turn(i)), libm::sin(turn(i)), height)
+        };
+        // A cone below it.
+        let points = (0..n).map(at).chain([DVec3::new(0.0, 0.0, -1.0)]).collect();
+        let open = TriMesh::new(points, (0..n).map(|i| [i, (i + 1) % n, n]).collect()).unwrap();
+        let loops = Loops::of(&open);
+        let options = FillOptions { interior: true, ..every(&loops) };
+        let found = fill(open, &loops, &options, Progress::NONE).unwrap();
+        let inside = found.filled[0].inside.clone().unwrap();
+        if is_folded {
+            assert_eq!(inside.unwrap_err(), "with points inside, it would fold");
+        } else {
+            assert!(found.crossings.is_empty() && inside.unwrap().vertices.len() > 10, "{waves}");
         }
     }
 }

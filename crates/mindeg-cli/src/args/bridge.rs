@@ -11,12 +11,13 @@ const EXAMPLES: &str = "\
 Examples:
   mindeg bridge lower.obj upper.obj -o joined.obj
   mindeg bridge lower.obj upper.obj -o joined.glb --from 1 --to v0
+  mindeg bridge lower.obj upper.obj -o smooth.obj --interior
   mindeg bridge both.obj -o joined.obj --from 0,0,1 --to 0,0,2";
 
 /// Join two boundary loops, of one mesh or of two, by a strip of triangles
 ///
 /// The strip has the least possible maximum degree, and of all such strips the largest minimum
-/// angle. The loops may have different numbers of vertices; no vertex is added. The edges that the
+/// angle. The loops may have different numbers of vertices; without --interior no vertex is added. The edges that the
 /// meshes have at the loops count. Of two meshes, the output holds both: the vertices and triangles of the first,
 /// those of the second, then the strip as the group "bridge".
 ///
@@ -45,6 +46,11 @@ pub(crate) struct BridgeArguments {
     #[arg(long, value_name = "LOOP", allow_hyphen_values = true, help_heading = "Strip")]
     pub(crate) to: Option<LoopChoice>,
 
+    /// Put points between the loops where they are far apart: edges about as long as theirs, 5 to 7 at each vertex of the bridge and the
+    /// loops, and a tube that continues both ends smoothly. --max-degree decides the strip that it begins with
+    #[arg(long, help_heading = "Strip")]
+    pub(crate) interior: bool,
+
     /// The largest total degree of a vertex on the loops; without it, the least that is possible
     #[arg(long, value_name = "D", value_parser = whole_number, allow_hyphen_values = true, help_heading = "Strip")]
     pub(crate) max_degree: Option<u32>,
@@ -55,7 +61,7 @@ pub(crate) struct BridgeArguments {
 
     /// Print JSON: from and to (loop, vertices, first_vertex), vertices, triangles, strip (its
     /// triangles), max_degree, least_max_degree, at_least, min_angle, next_min_angle,
-    /// angle_without_limit, degree_without_limit, planar, crossings (pairs of triangles), dropped, files.
+    /// angle_without_limit, degree_without_limit, planar, vertices_inside, degrees, violations, without_points, crossings (pairs of triangles), dropped, files.
     /// Loops are counted from 1, vertices and triangles from 0
     #[arg(long, help_heading = "Messages")]
     pub(crate) json: bool,

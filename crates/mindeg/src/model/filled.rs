@@ -6,13 +6,13 @@ use std::collections::BTreeMap;
 use glam::DVec3;
 use mindeg_domain::{Interior, Model};
 use mindeg_interior::{Options, RemeshError, generate, improve_surface};
+use mindeg_mesh::quality::min_angle;
 use mindeg_mesh::{Cancelled, Progress, TriMesh};
 use mindeg_surfaces::{FeatureRules, Given, Surface};
 
 use super::assembled;
 use super::face::PlaneFace;
 use crate::error::MeshError;
-use crate::fill::min_angle;
 use mindeg_mesh::parallel::map_all;
 
 /// Faces from one report of progress to the next.

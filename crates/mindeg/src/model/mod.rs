@@ -27,10 +27,10 @@ pub use filled::{FilledModel, fill_model};
 
 use glam::DVec3;
 use mindeg_domain::Model;
+use mindeg_mesh::quality::min_angle;
 use mindeg_mesh::{Group, Line, Progress, TriMesh, TriMeshError};
 
 use crate::error::MeshError;
-use crate::fill::min_angle;
 use crate::goal::Goal;
 use face::PlaneFace;
 use joint::Joint;

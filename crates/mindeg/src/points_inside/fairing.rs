@@ -1,7 +1,7 @@
 //! The surface that bends least: points inside a filling move to where its thin-plate energy is least.
 //!
 //! The energy is the sum of |L x|² / A over the vertices inside and on the rim, with the cotangent Laplacian L and a third A of the
-//! area around each. The rim and all beyond stay; as the rim's rows count, the filling continues the tangents of the mesh.
+//! area around each. The rim and all beyond stay; as far as the rim's rows count, the filling continues the tangents of the mesh.
 
 use std::collections::BTreeSet;
 
@@ -14,14 +14,17 @@ pub(super) struct Patch<'a> {
     /// Points from here on move.
     pub(super) fixed: usize,
     pub(super) rim: &'a BTreeSet<u32>,
+    /// How much the rows of the rim count.
+    pub(super) at_rim: f64,
 }
 
 /// The greatest cotangent that counts: thin triangles have others.
 const MOST: f64 = 10.0;
 /// The residual at which a solution is good enough, as a share of the first.
 const ENOUGH: f64 = 1e-9;
-/// So many steps are made at most.
+/// So many steps are made at most, and so many for each point that moves: more do not help where rounding keeps the residual up.
 const STEPS: usize = 20_000;
+const STEPS_EACH: usize = 4;
 /// Progress is reported every so many steps.
 const REPORTED: usize = 256;
 
@@ -47,7 +50,7 @@ pub(super) fn faired(
     let mut direction = preconditioned.clone();
     let mut size = product(&residual, &preconditioned);
     let enough = ENOUGH * ENOUGH * size;
-    for step in 0..STEPS {
+    for step in 0..STEPS.min(100 + STEPS_EACH * direction.len()) {
         if size <= enough || size == 0.0 {
             break;
         }
@@ -101,10 +104,12 @@ fn rows(points: &[DVec3], patch: &Patch<'_>) -> Vec<Row> {
         let is_wanted = vertex as usize >= patch.fixed || patch.rim.contains(&vertex);
         let edges: Vec<&[([u32; 2], f64)]> = of_vertex.chunk_by(|a, b| a.0 == b.0).collect();
         // An edge of one triangle is on a boundary.
+        let is_wanted = is_wanted && (patch.at_rim > 0.0 || vertex as usize >= patch.fixed);
         if !is_wanted || edges.iter().any(|edge| edge.len() != 2) {
             continue;
         }
-        let root = areas[vertex as usize].max(f64::MIN_POSITIVE).sqrt();
+        let counts = if (vertex as usize) < patch.fixed { patch.at_rim } else { 1.0 };
+        let root = (areas[vertex as usize].max(f64::MIN_POSITIVE) / counts).sqrt();
         let weights =
             edges.iter().map(|e| (e[0].0[1], e.iter().map(|(_, w)| w).sum::<f64>() / root));
         let mut row: Row = weights.collect();
@@ -185,7 +190,7 @@ mod tests {
             point.z += 0.01 * libm::sin(7.0 * i as f64);
         }
         let rim: BTreeSet<u32> = (0..30).collect();
-        let patch = Patch { triangles: &triangles, fixed, rim: &rim };
+        let patch = Patch { triangles: &triangles, fixed, rim: &rim, at_rim: 1.0 };
         (wanted, faired(moved, &patch, Progress::NONE).unwrap())
     }
 

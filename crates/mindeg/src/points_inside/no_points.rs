@@ -2,8 +2,8 @@
 
 use mindeg_mesh::Cancelled;
 
-/// Why a filling has no points inside.
-pub(super) enum NoPoints {
+/// Why a surface has no points inside.
+pub(crate) enum NoPoints {
     Cancelled,
     Because(String),
 }
