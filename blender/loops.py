@@ -3,6 +3,7 @@
 
 import mindeg
 import numpy as np
+from mindeg._mindeg import _points_between as between
 
 # A loop is planar if no point is farther than this from its plane, as a share of the loop's size.
 PLANAR = 1e-5
@@ -119,6 +120,8 @@ class Patch:
         #: The vertices of the rings by the names that the caller knows, one ring after the other.
         self.names = names
         self.rings = rings
+        #: The corners of the triangles beside the rings, three each; only points inside ask for them.
+        self.around = []
         #: Points inside, and triangles of the indices of ``names``, then of these points.
         self.new, self.triangles = [], []
         self.degree, self.min_angle = 0, 180.0
@@ -127,7 +130,8 @@ class Patch:
 
 
 def fill_all(patches, edges, **wanted):
-    """Fills patches one after the other; the edges that one adds count for those after it. ``edges`` are pairs of names."""
+    """Fills patches one after the other; the edges and triangles that one adds count for those after it. ``edges`` are pairs of names."""
+    made = []
     beside = {}
     for a, b in edges:
         beside.setdefault(a, set()).add(b)
@@ -137,12 +141,17 @@ def fill_all(patches, edges, **wanted):
         index = {name: place for place, name in enumerate(names)}
         external = [len(beside.get(name, ())) for name in names]
         excluded = [[place, index[other]] for name, place in index.items() for other in beside.get(name, ()) if index.get(other, -1) > place]
+        patch.around += [corner for of, corners in made if not index.keys().isdisjoint(of) for corner in corners]
         try:
             fill(patch, external, excluded, **wanted)
         except ValueError as error:
             patch.fault = str(error)
             continue
+        points = [*(tuple(point) for ring in patch.rings for point in ring), *map(tuple, patch.new)]
         for corners in patch.triangles:
+            if wanted.get("interior"):
+                of = [names[corner] for corner in corners if corner < len(names)]
+                made.append((of, [points[corner] for corner in corners]))
             for a, b in zip(corners, [*corners[1:], corners[0]]):
                 if max(a, b) < len(names):
                     beside.setdefault(names[a], set()).add(names[b])
@@ -160,12 +169,12 @@ def fill(patch, external, excluded, *, interior=False, keep_angle=None, max_degr
     center, axes, off = plane_of(rings[0])
     size = np.ptp(points, axis=0).max()
     if off > PLANAR * size:
-        if interior:
-            raise ValueError(f"a loop is {off:.3g} off its plane; interior points need a planar loop")
         triangles, facts = mindeg.fill_loop(points, external=external, excluded=excluded, max_degree=max_degree)
         patch.triangles, patch.degree = triangles.tolist(), facts["max_degree"]
         patch.min_angle = mindeg.Mesh(points, triangles).min_angle
         patch.words = f"limit {facts['limit']}"
+        if interior:
+            _put_points(patch, rings, triangles, external)
         return
     outside = np.maximum(np.asarray(external) - 2, 0)
     outer, *holes = [((ring - center) @ axes.T).tolist() for ring in rings]
@@ -199,6 +208,26 @@ def fill(patch, external, excluded, *, interior=False, keep_angle=None, max_degr
     patch.triangles, patch.min_angle = np.array(names)[mesh.triangles].tolist(), mesh.min_angle
 
 
+def _put_points(patch, rims, triangles, external):
+    """Gives a patch in space points inside; where there are none, its triangles stay, and its words say why."""
+    try:
+        new, triangles = between(rims, triangles, np.reshape(patch.around, (-1, 3)))
+    except ValueError as fault:
+        patch.words += f"; no points inside: {fault}"
+        return
+    patch.new, patch.triangles = new.tolist(), triangles.tolist()
+    points = np.concatenate([*rims, new])
+    edges = {(int(min(a, b)), int(max(a, b))) for corners in triangles for a, b in zip(corners, np.roll(corners, -1))}
+    degrees = np.bincount(np.array(sorted(edges)).ravel(), minlength=len(points))
+    degrees[: len(external)] += np.asarray(external) - 2
+    patch.degree, patch.min_angle = int(degrees.max()), mindeg.Mesh(points, triangles).min_angle
+    inside = degrees[len(external) :]
+    violations = int(((inside < 5) | (inside > 7)).sum())
+    patch.words = f"{_counted(inside, 'point')} inside"
+    if violations:
+        patch.words += f", {violations} of them outside 5 to 7 edges"
+
+
 def said(patches, what):
     """What was done, in one sentence; ``what`` is "hole" or "face"."""
     done = [patch for patch in patches if patch.fault is None]
@@ -228,14 +257,15 @@ def _names(points, given):
     return [index[tuple(point)] for point in points.tolist()]
 
 
-def bridge(patch, external, *, max_degree=None):
-    """Triangles between the two loops of a patch, the second turned to run as the first does."""
+def bridge(patch, external, *, interior=False, max_degree=None):
+    """Triangles between the two loops of a patch, the second turned to run as the first does, and points between them if wanted."""
     first, second = (np.asarray(ring, dtype=float) for ring in patch.rings)
     normals = [np.cross(loop - loop.mean(axis=0), np.roll(loop - loop.mean(axis=0), -1, axis=0)).sum(axis=0)
                for loop in (first, second)]
     order = np.arange(len(second))
     if normals[0] @ normals[1] < 0:
         order = order[::-1]
+    patch_degrees = external
     external = [*external[: len(first)], *(external[len(first) + i] for i in order)]
     triangles, facts = mindeg.bridge_loops(
         first, np.ascontiguousarray(second[order]), external=external, max_degree=max_degree
@@ -244,3 +274,5 @@ def bridge(patch, external, *, max_degree=None):
     patch.triangles = names[triangles].tolist()
     patch.degree, patch.min_angle = facts["max_degree"], facts["min_angle"]
     patch.words = f"least possible {facts['least_max_degree']}"
+    if interior:
+        _put_points(patch, [first, second], names[triangles], patch_degrees)

@@ -9,6 +9,7 @@ import mindeg
 from bpy.props import BoolProperty, FloatProperty, IntProperty
 from mathutils import Vector
 from mathutils.bvhtree import BVHTree
+from mathutils.kdtree import KDTree
 
 from . import loops, working
 
@@ -124,6 +125,23 @@ def _edges_at(bm, patches):
     return [[vertex.index for vertex in edge.verts] for edge in edges]
 
 
+def _find_triangles_beside(bm, patches, replaced=()):
+    """For patches with points inside: the corners of the triangles at their vertices, without those of faces that go."""
+    faces = {face for patch in patches for name in patch.names for face in bm.verts[name].link_faces}
+    faces -= {bm.faces[face] for face in replaced}
+    at = {}
+    for corners in bm.calc_loop_triangles() if faces else ():
+        if corners[0].face in faces:
+            triangle = [tuple(corner.vert.co) for corner in corners]
+            # A triangle has three corners that no other has.
+            key = tuple(corner.index for corner in corners)
+            for corner in corners:
+                at.setdefault(corner.vert.index, {})[key] = triangle
+    for patch in patches:
+        beside = {key: triangle for name in patch.names for key, triangle in at.get(name, {}).items()}
+        patch.around = [point for triangle in beside.values() for point in triangle]
+
+
 def _corners_beside(vertices):
     """For vertices of a hole the corner of a face beside it."""
     found = {}
@@ -138,9 +156,18 @@ def _corners_beside(vertices):
 
 def _add_faces(bm, patch, vertices, corners, like, between):
     """Makes the faces of a patch, selected, with the material of the face ``like``. UVs, colors and all else of a corner come from
-    ``corners`` by vertex, and at new points lie between those of the face ``between``. Faces that are there already stay.
+    ``corners`` by vertex, and at new points lie between those of the face ``between``, or without it are those of the nearest vertex that
+    has some. Faces that are there already stay.
     """
     vertices = [*vertices, *(bm.verts.new(point) for point in patch.new)]
+    if between is None and corners and patch.new:
+        known = list(corners)
+        tree = KDTree(len(known))
+        for place, vertex in enumerate(known):
+            tree.insert(vertex.co, place)
+        tree.balance()
+        nearest = {vertex: corners[known[tree.find(vertex.co)[1]]] for vertex in vertices[-len(patch.new) :]}
+        corners = {**nearest, **corners}
     made = 0
     for triangle in patch.triangles:
         of_face = [vertices[place] for place in triangle]
@@ -217,6 +244,8 @@ class MESH_OT_mindeg_fill(_LongWork, bpy.types.Operator):
         patches = [
             loops.Patch([name for ring in group for name in ring], [_points(bm, ring) for ring in group]) for group in groups
         ]
+        if self.interior:
+            _find_triangles_beside(bm, patches, faces)
         edges = _edges_at(bm, patches)
         wanted = {"interior": self.interior, **{key: value for key in GOALS if (value := getattr(self, key))}}
 
@@ -249,11 +278,12 @@ def _points(bm, names):
 
 
 class MESH_OT_mindeg_bridge(_LongWork, bpy.types.Operator):
-    """Join two selected loops of edges, of equal or unequal counts, by one strip of triangles"""
+    """Join two selected loops of edges, of equal or unequal counts, by triangles"""
 
     bl_idname = "mesh.mindeg_bridge"
     bl_label = "Bridge with Few Edges"
 
+    interior: BoolProperty(name="Interior Points", description="Put points between loops that are far apart", default=False)
     max_degree: IntProperty(
         name="Maximum Degree", description="The most edges of a vertex; 0 for the least possible", min=0, default=0
     )
@@ -267,10 +297,12 @@ class MESH_OT_mindeg_bridge(_LongWork, bpy.types.Operator):
             raise ValueError(f"{len(found)} {'loop is' if len(found) == 1 else 'loops are'} selected; select two")
         patch = loops.Patch([*found[0], *found[1]], [_points(bm, loop) for loop in found])
         external = [len(bm.verts[name].link_edges) for name in patch.names]
-        max_degree = self.max_degree or None
+        wanted = {"interior": self.interior, "max_degree": self.max_degree or None}
+        if self.interior:
+            _find_triangles_beside(bm, [patch])
 
         def task():
-            loops.bridge(patch, external, max_degree=max_degree)
+            loops.bridge(patch, external, **wanted)
             return patch
 
         def finish(bm, patch):

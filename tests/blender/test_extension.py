@@ -12,6 +12,7 @@ from pathlib import Path
 import bpy  # Before bmesh, which it brings.
 import bmesh
 import pytest
+from mathutils import Vector
 
 EXTENSION = Path(__file__).resolve().parents[2] / "blender"
 
@@ -171,12 +172,82 @@ def test_the_edges_beside_a_hole_count():
 def test_an_n_gon_off_its_plane_is_filled_as_a_loop_in_space():
     saddle = circle(20, wave=0.3)
     thing = edit(saddle, faces=[range(20)])
-    with pytest.raises(RuntimeError, match="off its plane; interior points need a planar loop"):
-        bpy.ops.mesh.mindeg_fill(interior=True)
-    assert measured(thing)[1] == 1
     assert bpy.ops.mesh.mindeg_fill(max_degree=6) == {"FINISHED"}
     degree, faces, _, _ = measured(thing)
     assert faces == 18 and degree <= 6
+    thing = edit(saddle, faces=[range(20)])
+    assert bpy.ops.mesh.mindeg_fill(interior=True) == {"FINISHED"}
+    _, faces, _, bm = measured(thing)
+    assert faces > 60 and len(bm.verts) > 20
+    assert_few_edges_inside(bm)
+
+
+def assert_few_edges_inside(bm):
+    """5 to 7 edges at every vertex off the boundary that only triangles meet, no needle, no face across another's edge."""
+    for vertex in bm.verts:
+        if not vertex.is_boundary and all(len(face.verts) == 3 for face in vertex.link_faces):
+            assert 5 <= len(vertex.link_edges) <= 7
+    assert all(edge.is_boundary or edge.is_contiguous for edge in bm.edges)
+    least = min(math.degrees(corner.calc_angle()) for face in bm.faces if len(face.verts) == 3 for corner in face.loops)
+    assert least > 25, least
+
+
+@pytest.mark.parametrize("is_beside_faces", [False, True])
+def test_a_bent_loop_gets_points_inside(is_beside_faces):
+    rim = circle(24, wave=0.3)
+    if is_beside_faces:
+        # A collar of quads, which the filling goes on from.
+        outer = [(1.3 * x, 1.3 * y, 1.69 * z) for x, y, z in rim]
+        thing = edit(rim + outer, faces=[(i, 24 + i, 24 + (i + 1) % 24, (i + 1) % 24) for i in range(24)])
+        bm = bmesh.from_edit_mesh(thing.data)
+        uv = bm.loops.layers.uv.new("map")
+        for face in bm.faces:
+            face.material_index = 1
+            for corner in face.loops:
+                corner[uv].uv = corner.vert.co.xy
+        bpy.ops.mesh.select_all(action="DESELECT")
+        for edge in bm.edges:
+            edge.select = all(vertex.index < 24 for vertex in edge.verts)
+    else:
+        thing = edit(rim, ring_edges(24))
+    assert bpy.ops.mesh.mindeg_fill(interior=True) == {"FINISHED"}
+    _, _, _, bm = measured(thing)
+    inside = [vertex for vertex in bm.verts if not vertex.is_boundary and all(len(face.verts) == 3 for face in vertex.link_faces)]
+    assert len(inside) > 20
+    assert_few_edges_inside(bm)
+    # A saddle: x² - y² times 0.3.
+    assert all(abs(v.co.z - 0.3 * (v.co.x**2 - v.co.y**2)) < 0.06 for v in inside)
+    if is_beside_faces:
+        uv = bm.loops.layers.uv["map"]
+        assert all(face.material_index == 1 for face in bm.faces)
+        assert max((Vector(corner[uv].uv) - corner.vert.co.xy).length for face in bm.faces for corner in face.loops) < 0.1
+
+
+def test_loops_far_apart_are_bridged_with_points_between():
+    rings = [circle(16, height=height) for height in (0, 0.4, 5, 5.4)]
+    quads = [(16 * k + i, 16 * k + (i + 1) % 16, 16 * (k + 1) + (i + 1) % 16, 16 * (k + 1) + i) for k in (0, 2) for i in range(16)]
+    thing = edit([point for ring in rings for point in ring], faces=quads)
+    bm = bmesh.from_edit_mesh(thing.data)
+    bpy.ops.mesh.select_all(action="DESELECT")
+    for edge in bm.edges:
+        edge.select = edge.is_boundary and all(0.3 < vertex.co.z < 5.2 for vertex in edge.verts)
+    assert bpy.ops.mesh.mindeg_bridge(interior=True) == {"FINISHED"}
+    _, _, _, bm = measured(thing)
+    assert len(bm.verts) > 64 + 100
+    assert_few_edges_inside(bm)
+    assert all(0.9 < vertex.co.xy.length < 1.1 for vertex in bm.verts)
+    assert sum(edge.is_boundary for edge in bm.edges) == 32
+
+
+def test_a_bent_loop_that_would_fold_says_so_and_has_no_points(capfd):
+    """A cone under a rim that waves: what goes on from it comes back through it."""
+    rim = [(x, y, 0.3 * math.sin(6 * math.atan2(y, x))) for x, y, _ in circle(24)]
+    thing = edit([*rim, (0, 0, -1)], faces=[(i, (i + 1) % 24, 24) for i in range(24)])
+    assert bpy.ops.mesh.mindeg_fill(interior=True) == {"FINISHED"}
+    # Blender prints its reports.
+    words = capfd.readouterr().out
+    assert "no points inside: with points inside, it would fold" in words, words
+    assert len(measured(thing)[3].verts) == 25
 
 
 def test_a_bridge_keeps_a_limit_or_says_what_is_possible():
