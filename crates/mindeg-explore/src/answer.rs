@@ -18,6 +18,9 @@ use crate::shown::{self, Figure};
 /// The most boundary vertices of a domain.
 pub const MAX_VERTICES: u32 = 100_000;
 
+/// Beyond so many boundary vertices the search of a mesh without points inside is not over at once.
+const MANY_VERTICES: u32 = 4_000;
+
 type Out<'a> = &'a mut dyn FnMut(&AnswerLine);
 
 /// Answers a request: its lines go to `out` one by one, the last of them [`AnswerLine::Done`], unless the request
@@ -108,6 +111,16 @@ struct Answering<'a> {
 impl Answering<'_> {
     fn all(mut self) -> Result<(), Cancelled> {
         self.soon()?;
+        if self.shows(Part::Command) {
+            let text = command(self.request, self.domain, self.known);
+            (self.out)(&AnswerLine::Command { text });
+        }
+        // Searches of large boundaries take their time; what a reader looks at comes before them.
+        let is_large = self.domain.rings().vertex_count() > MANY_VERTICES;
+        let is_first = is_large && self.request.view == View::Interior;
+        if is_first && self.shows(Part::Interior) {
+            self.mesh(Part::Interior, View::Interior)?;
+        }
         self.first_meshes()?;
         let delaunay = if self.shows(Part::Delaunay) || self.shows(Part::Curve) {
             self.mesh(Part::Delaunay, View::Delaunay)?
@@ -117,12 +130,8 @@ impl Answering<'_> {
         if self.shows(Part::Wanted) && self.request.goal != Goal::LeastDegree {
             self.mesh(Part::Wanted, View::Wanted)?;
         }
-        if self.shows(Part::Interior) {
+        if !is_first && self.shows(Part::Interior) {
             self.mesh(Part::Interior, View::Interior)?;
-        }
-        if self.shows(Part::Command) {
-            let text = command(self.request, self.domain, self.known);
-            (self.out)(&AnswerLine::Command { text });
         }
         if self.shows(Part::Advice) {
             self.advice()?;

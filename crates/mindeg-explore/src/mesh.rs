@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use mindeg::MeshError;
-use mindeg::interior::{self, InteriorMesh};
+use mindeg::interior::{self, InteriorError, InteriorMesh};
 use mindeg::{Domain, Goal, Interior, Mesh, Meshed, TriMesh};
 use mindeg_compare::Reference;
 use mindeg_mesh::Progress;
@@ -52,9 +52,13 @@ impl Made {
                 let most = wanted.max_points.map_or(MAX_POINTS, |most| most.min(MAX_POINTS));
                 let wanted = Interior { max_points: Some(most), ..wanted };
                 let found = interior::mesh(domain, &wanted, progress);
-                found
-                    .map(|found| Self::Interior(Box::new(found)))
-                    .map_err(|error| error.to_string())
+                found.map(|found| Self::Interior(Box::new(found))).map_err(|error| match error {
+                    InteriorError::TooManyPoints { max: MAX_POINTS } => format!(
+                        "It has more than {MAX_POINTS} points, more than the page shows. \"Copy the command\" gives the command \
+                         that makes it; a larger size inside, with a larger growth, gives fewer points."
+                    ),
+                    error => error.to_string(),
+                })
             }
         }
     }
