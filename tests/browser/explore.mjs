@@ -212,6 +212,23 @@ test("a hole of a surface is filled with points inside, and the file has them", 
   await page.context().close();
 });
 
+test("two ends far apart are bridged with points between them", async () => {
+  const page = await openNew();
+  const turn = (at) => (2 * Math.PI * at) / 16;
+  const rings = [0, 0.4, 4, 4.4].flatMap((z) => Array.from({ length: 16 }, (_, at) => `v ${Math.cos(turn(at))} ${Math.sin(turn(at))} ${z}`));
+  const faces = [1, 33].flatMap((first) => Array.from({ length: 16 }, (_, at) => [first + at, first + ((at + 1) % 16)])
+    .flatMap(([a, b]) => [`f ${a} ${b} ${b + 16}`, `f ${a} ${b + 16} ${a + 16}`]));
+  const ends = [...rings, ...faces, ""].join("\n");
+  await page.locator("#file").setInputFiles({ name: "ends.obj", mimeType: "text/plain", buffer: Buffer.from(ends) });
+  await page.waitForFunction(() => document.querySelectorAll("#solid-meshes .stage[data-drawn]").length === 1);
+  for (const loop of [1, 2]) await page.locator("#solid-loops input").nth(loop).check();
+  await page.getByLabel("with points inside").check();
+  await page.locator("#solid-bridge").click();
+  await page.waitForFunction(() => document.querySelectorAll("#solid-meshes h3")[1]?.textContent === "Bridged");
+  assert.match(await page.locator("#solid-words").textContent(), /points inside/);
+  await page.context().close();
+});
+
 /** Opens a cube without its lid and floor. */
 async function openTube(page) {
   const tube = ["v 0 0 0", "v 1 0 0", "v 1 1 0", "v 0 1 0", "v 0 0 1", "v 1 0 1", "v 1 1 1", "v 0 1 1",
@@ -342,7 +359,7 @@ test("everything can be edited from the keyboard", async () => {
     if (id === null) break;
     reached.add(id);
   }
-  for (const id of ["open", "format", "download", "copy", "beside", "metric", "fit", "stage", "next", "add", "snap", "add-hole"]) {
+  for (const id of ["open", "format", "download", "copy", "beside", "metric", "fit", "stage", "next", "add", "snap", "add-hole", "add-size"]) {
     assert.ok(reached.has(id), `${id} is not reached: ${[...reached].join(" ")}`);
   }
   await page.context().close();
@@ -662,6 +679,41 @@ test("a hole is added where the reader clicks, and removed", async () => {
   await page.getByRole("button", { name: "Remove hole 1" }).click();
   await answered(page);
   assert.ok(!(await facts(page)).includes("hole"));
+  await page.context().close();
+});
+
+test("a size is set where the reader clicks or by keys, changed and taken back", async () => {
+  const page = await openNew();
+  await choose(page, "figure-1");
+  const points = async () => Number((await page.locator("[data-stage=main] .words-of").textContent()).match(/and (\d+) interior/)[1]);
+  const before = await points();
+  await page.locator("#add-size").click();
+  const box = await page.locator(".stage").first().boundingBox();
+  await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+  const size = page.getByLabel("Length of edges at size 1", { exact: true });
+  await size.waitFor();
+  await size.fill("0.05");
+  await page.keyboard.press("Enter");
+  await answered(page);
+  const finer = await points();
+  assert.ok(finer > before + 20, `${before} and ${finer} points inside`);
+  const { bytes } = await downloaded(page, "#save");
+  const [[x, y, wanted]] = JSON.parse(bytes).interior.sizes;
+  assert.equal(wanted, 0.05);
+  assert.ok(Number.isFinite(x + y));
+  assert.match(await text(page, "#command"), /--interior/);
+  await page.locator("#undo").click();
+  await page.locator("#undo").click();
+  await answered(page);
+  assert.equal(await points(), before);
+  assert.equal(await size.count(), 0);
+  await page.locator("#add-size").focus();
+  await page.keyboard.press("Enter");
+  await page.keyboard.press("Enter");
+  await size.waitFor();
+  await page.getByLabel("Remove size 1", { exact: true }).click();
+  await answered(page);
+  assert.equal(await points(), before);
   await page.context().close();
 });
 

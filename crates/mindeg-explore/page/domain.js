@@ -229,6 +229,35 @@ export function addHole(domain, [x, y], radius, intervals) {
   return changed;
 }
 
+/** A size at a place: half the mean edge of the boundary, until a reader says another. */
+export function addSize(domain, shown, [x, y]) {
+  const changed = copy(domain);
+  let length = 0;
+  for (let ring = 0; ring + 1 < shown.rings.length; ring++) {
+    const [first, end] = [shown.rings[ring], shown.rings[ring + 1]];
+    for (let vertex = first; vertex < end; vertex++) {
+      const [a, b] = [point(shown, vertex), point(shown, vertex + 1 < end ? vertex + 1 : first)];
+      length += Math.hypot(b[0] - a[0], b[1] - a[1]);
+    }
+  }
+  const size = Number((length / shown.rings.at(-1) / 2).toPrecision(2));
+  changed.interior = { ...changed.interior, sizes: [...(changed.interior?.sizes ?? []), [x, y, size]] };
+  return changed;
+}
+
+/** The sizes at places, each with its index among all sizes: others come from sides, grids or files. */
+export const sizesAtPlaces = (domain) => (domain.interior?.sizes ?? []).flatMap((size, index) => (Array.isArray(size) ? [{ size, index }] : []));
+
+/** Changes a size at a place; without one, it goes. */
+export function changeSize(domain, index, size) {
+  const changed = copy(domain);
+  if (size > 0) changed.interior.sizes[index][2] = size;
+  else changed.interior.sizes.splice(index, 1);
+  if (!changed.interior.sizes.length) delete changed.interior.sizes;
+  if (!Object.keys(changed.interior).length) delete changed.interior;
+  return changed;
+}
+
 export function removeHole(domain, ring) {
   const changed = copy(domain);
   changed.holes.splice(ring - 1, 1);

@@ -3,7 +3,7 @@
 
 import { apply, ask } from "./asking.js";
 import { showInterior } from "./choices.js";
-import { addCorner, addHole, corners, isKnown, moveCorner, removeCorner, removeHole, sidePlace } from "./domain.js";
+import { addCorner, addHole, addSize, corners, isKnown, moveCorner, removeCorner, removeHole, sidePlace } from "./domain.js";
 import { cornerAt, gridStep, sideAt, snapped } from "./editor.js";
 import { listInside } from "./inside.js";
 import { redraw, setCursor, stages } from "./pictures.js";
@@ -27,7 +27,26 @@ const cornerNow = () => corners(state.domain, shown.domain).find((corner) => isS
 const sidesAreKnown = () => Boolean(shown.domain) && isKnown(state.domain, shown.domain);
 
 let table;
-let isPlacing = false;
+/** What the next click in the picture places: a key of PLACED, or null. */
+let placing = null;
+
+/** What is placed by a click: the domain with it, what to say where none fits, and what to say after it. */
+const PLACED = {
+  hole: {
+    button: "add-hole",
+    words: "Add a hole",
+    made: (domain, place) => addHole(domain, snapped(place, grid(), false), Math.min(...bounds.size) / 8, 3),
+    refused: "No hole fits there.",
+    done: "A hole is added; its corners are dragged like others.",
+  },
+  size: {
+    button: "add-size",
+    words: "Set a size",
+    made: (domain, place) => addSize(domain, shown.domain, snap(place)),
+    refused: "No size can be set there.",
+    done: "A size is set; its field in the list changes it. It counts for points inside.",
+  },
+};
 
 /** Shows the corners, sides and holes as they are. */
 export function updateEditor() {
@@ -121,23 +140,28 @@ function remove() {
   say("The corner is removed.");
 }
 
-function setPlacing(isOn) {
-  isPlacing = isOn;
-  element("add-hole").textContent = isOn ? "Click in the picture where it should be" : "Add a hole";
-  element("add-hole").setAttribute("aria-pressed", String(isOn));
-  stages[0].element.classList.toggle("placing", isOn);
+function setPlacing(kind) {
+  placing = kind;
+  for (const [key, { button, words }] of Object.entries(PLACED)) {
+    element(button).textContent = key === kind ? "Click in the picture where it should be" : words;
+    element(button).setAttribute("aria-pressed", String(key === kind));
+  }
+  stages[0].element.classList.toggle("placing", kind !== null);
 }
 
-/** Adds a hole, unless there can be none: then what is wrong is said, and the domain stays as it is. */
-async function placeHole(x, y) {
-  setPlacing(false);
+/** Places what is to be placed, unless it cannot be there: then what is wrong is said, and the domain stays as it is. */
+async function placeAt(x, y) {
+  const { made, refused: sentence, done } = PLACED[placing];
+  setPlacing(null);
   letGo();
   const before = state.domain;
-  const domain = addHole(before, snapped([x, y], grid(), false), Math.min(...bounds.size) / 8, 3);
+  const domain = made(before, [x, y]);
   try {
     const refused = await server.refusal(domain);
-    if (refused) showTrouble(`No hole fits there. ${domainTrouble(refused)}`);
-    else if (state.domain === before) apply(domain);
+    if (refused) return showTrouble(`${sentence} ${domainTrouble(refused)}`);
+    if (state.domain !== before) return;
+    apply(domain);
+    say(done);
   } catch (error) {
     showTrouble(error.message);
   }
@@ -148,8 +172,8 @@ export function grab(stage, event, place) {
   if (event.button || !shown.domain) return false;
   // A second finger does nothing while a corner is dragged.
   if (selection.drag) return true;
-  if (isPlacing) {
-    placeHole(...stage.frame.toDomain(...place));
+  if (placing) {
+    placeAt(...stage.frame.toDomain(...place));
     return true;
   }
   const corner = cornerAt(state.domain, shown.domain, stage.frame, place, event.pointerType);
@@ -185,7 +209,7 @@ function keepFinger(event) {
   if (others.length || !shown.domain) return;
   const { left, top } = stages[0].element.getBoundingClientRect();
   const place = [touch.clientX - left, touch.clientY - top];
-  if (isPlacing || cornerAt(state.domain, shown.domain, stages[0].frame, place, "touch")) event.preventDefault();
+  if (placing || cornerAt(state.domain, shown.domain, stages[0].frame, place, "touch")) event.preventDefault();
 }
 
 /** The corner follows the pointer, once a frame. */
@@ -228,15 +252,15 @@ function drop(event) {
 /** Takes the keys that edit; others move the picture. */
 export function handleKey(event) {
   if (event.ctrlKey || event.metaKey || event.altKey || !shown.domain) return false;
-  const place = () => placeHole(view.x, view.y);
+  const place = () => placeAt(view.x, view.y);
   const stop = () => {
-    setPlacing(false);
+    setPlacing(null);
     letGo();
     updateEditor();
     redraw();
   };
   const keys = { n: () => chooseNext(1), p: () => chooseNext(-1), Insert: add, Delete: remove, Backspace: remove, Escape: stop };
-  if (isPlacing) keys.Enter = place;
+  if (placing) keys.Enter = place;
   const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
   if (keys[key]) {
     keys[key]();
@@ -265,10 +289,12 @@ export function startEditing() {
   element("next").addEventListener("click", () => chooseNext(1));
   element("add").addEventListener("click", add);
   element("remove").addEventListener("click", remove);
-  element("add-hole").addEventListener("click", () => {
-    setPlacing(!isPlacing);
-    if (isPlacing) stages[0].element.focus();
-  });
+  for (const [kind, { button }] of Object.entries(PLACED)) {
+    element(button).addEventListener("click", () => {
+      setPlacing(placing === kind ? null : kind);
+      if (placing) stages[0].element.focus();
+    });
+  }
   for (const axis of ["x", "y"]) {
     element(axis).addEventListener("change", () => {
       const [x, y] = ["x", "y"].map((id) => element(id).valueAsNumber);

@@ -2,6 +2,7 @@
 // From the viewer's script: make.
 
 import { apply } from "./asking.js";
+import { changeSize, sizesAtPlaces } from "./domain.js";
 import { element } from "./show.js";
 import { shown, state } from "./state.js";
 
@@ -59,24 +60,47 @@ function button(text, label, act) {
   return made;
 }
 
+/** A row of the table: a head, and controls beside it. */
+function rowOf(title, controls) {
+  const row = make("tr");
+  const head = make("th", "", title);
+  head.scope = "row";
+  const box = make("span", "law");
+  box.append(...controls);
+  const cell = make("td");
+  cell.append(box);
+  row.append(head, cell);
+  return row;
+}
+
+/** The rows of sizes at places. */
+function sizeRows(mark) {
+  return sizesAtPlaces(state.domain).slice(0, MOST).map(({ size: [x, y, size], index }, place) => {
+    const title = `size ${place + 1}`;
+    const input = make("input");
+    Object.assign(input, { type: "number", min: 0, step: "any", value: size, className: "count" });
+    input.setAttribute("aria-label", `Length of edges at ${title}`);
+    input.addEventListener("change", () => {
+      if (input.valueAsNumber > 0) apply(changeSize(state.domain, index, input.valueAsNumber));
+      else input.value = size;
+    });
+    const label = make("label", "", `at ${x}, ${y}: edges of `);
+    label.append(input);
+    return rowOf(`Size ${place + 1}`, [label, button("Show", `Show ${title}`, () => mark([[x, y]])),
+      button("Remove", `Remove ${title}`, () => apply(changeSize(state.domain, index, null)))]);
+  });
+}
+
 /** Lists what is inside; `mark(places)` shows places on the pictures. */
 export function listInside(mark) {
-  const told = JSON.stringify(Object.keys(KINDS).map((key) => state.domain[key]));
+  const told = JSON.stringify([...Object.keys(KINDS).map((key) => state.domain[key]), state.domain.interior?.sizes]);
   if (told === built) return;
   built = told;
   const rows = Object.entries(KINDS).flatMap(([key, { one, fields }]) => (state.domain[key] ?? []).slice(0, MOST).map((thing, index) => {
     const title = `${one.toLowerCase()} ${index + 1}`;
-    const row = make("tr");
-    const head = make("th", "", `${one} ${index + 1}`);
-    head.scope = "row";
-    const controls = make("td");
-    const box = make("span", "law");
-    box.append(...fields.map((name) => field(key, index, name, thing, title)),
-      button("Show", `Show ${title}`, () => mark(placesOf(key, thing))), button("Remove", `Remove ${title}`, () => remove(key, index)));
-    controls.append(box);
-    row.append(head, controls);
-    return row;
-  }));
+    return rowOf(`${one} ${index + 1}`, [...fields.map((name) => field(key, index, name, thing, title)),
+      button("Show", `Show ${title}`, () => mark(placesOf(key, thing))), button("Remove", `Remove ${title}`, () => remove(key, index))]);
+  })).concat(sizeRows(mark));
   const box = element("inside");
   if (!rows.length) return box.replaceChildren();
   const table = make("table");

@@ -40,7 +40,7 @@ function wished(change) {
   const size = element("solid-size").valueAsNumber;
   if (change === "remesh") return size > 0 ? { size } : {};
   if (change === "fill") return { loops: loopsChosen(), interior: element("solid-inside").checked };
-  return change === "bridge" ? { loops: loopsChosen() } : {};
+  return change === "bridge" ? { loops: loopsChosen(), interior: element("solid-inside").checked } : {};
 }
 
 /** Shows the surface before and after a change. */
