@@ -955,7 +955,11 @@ test("axe finds nothing serious and nothing is cut off, on any screen, light and
     const page = await open({ viewport: { width, height: 900 }, colorScheme, bypassCSP: true });
     const shown = [["boundary-layer-channel", () => {}],
       ...["plate-with-holes", "great-britain"].map((name) => [name, () => choose(page, name)]),
-      ["a map", () => openMap(page)], ["a surface", async () => {
+      ["a map", () => openMap(page)], ["a size", async () => {
+        await page.locator("#add-size").focus();
+        for (let press = 0; press < 2; press++) await page.keyboard.press("Enter");
+        await page.getByLabel("Length of edges at size 1", { exact: true }).waitFor();
+      }], ["a surface", async () => {
         await openTube(page);
         await page.locator("#solid-fill").click();
         await page.waitForFunction(() => document.querySelectorAll("#solid-meshes h3").length === 2);
