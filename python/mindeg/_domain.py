@@ -40,7 +40,8 @@ class Domain(_mindeg._Domain):
     ``feature`` is the name or the number, from 1, of one polygon of several; several that share edges and hang together
     are the regions of one domain, called after the property or column ``name_by``. ``layer`` chooses an object of
     a TopoJSON or a layer of a DXF. ``repair`` makes polygons of rings that cross or touch, by the ``fill_rule`` "evenodd" or
-    "nonzero", and mends borders between polygons; ``snap`` is how near points become one.
+    "nonzero", and mends borders between polygons; ``snap`` is how near points become one. ``project`` makes metres of degrees of
+    longitude and latitude: "auto", "utm", "laea", "stereographic" or "EPSG:N"; "none" takes them as planar.
 
     Domains are equal if their points, sides, names, limits and wishes are.
     """
@@ -200,6 +201,8 @@ def _json_of(source, options) -> tuple[str, list[tuple[str, str]] | None]:
         if isinstance(source, Mapping):
             return json.dumps(plain(source, "")), []
         return (source, None) if isinstance(source, str) else (source.to_json(), [])
+    if not is_in_degrees(source):
+        options = {"project": "none", **options} if options or text is not None else options
     if text is not None:
         return _outline(None, text, **options), []
     rings = _rings(source)
@@ -223,6 +226,13 @@ def path_or_text(source) -> tuple[str | os.PathLike[str] | None, str | None]:
     if geometry is None or geometry.get("type") == "Polygon":
         return None, None
     return None, json.dumps(geometry, default=plain)
+
+
+def is_in_degrees(source) -> bool:
+    """Whether the coordinates of a source are degrees where they look so, as in GeoJSON; shapes and arrays have a CRS or are planar."""
+    if isinstance(source, Mapping):
+        return True
+    return bool(getattr(getattr(source, "crs", None), "is_geographic", False))
 
 
 def _geometry(source) -> Mapping[str, Any] | None:
@@ -267,6 +277,7 @@ _READING = {
     "repair": False,
     "snap": None,
     "fill_rule": None,
+    "project": None,
 }
 
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from . import _mindeg
-from ._domain import Domain, path_or_text, reading_of, warn
+from ._domain import Domain, is_in_degrees, path_or_text, reading_of, warn
 from ._options import InteriorOptions, MeshOptions, ReadingOptions, as_json, separated, shows_its_options, wish
 
 if TYPE_CHECKING:
@@ -63,6 +63,8 @@ def mesh(
         from ._sizes import given_sizes
 
         wished = wish(interior, goal, {**wanted, "sizes": given_sizes(sizes, None)})
+    if path is None and not is_in_degrees(source):
+        reading = {"project": "none", **reading}
     made, notes = _mindeg._mesh_of_file(reading_of(path, text, **reading), wished, of_model)
     warn(notes, 3)
     return made

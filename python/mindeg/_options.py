@@ -56,6 +56,7 @@ class ReadingOptions(TypedDict, total=False):
     repair: bool | None
     snap: float | None
     fill_rule: Literal["evenodd", "nonzero"] | None
+    project: str | None
 
 
 class _Shown(str):

@@ -218,3 +218,22 @@ def test_a_surface_is_meshed_anew():
         mindeg.remesh(corners, triangles, size=1, vertices=9)
     with pytest.raises(ValueError, match="3 triangles share an edge"):
         mindeg.remesh(corners, triangles + [[0, 3, 4]])
+
+
+def test_only_what_says_so_is_taken_for_degrees(recwarn):
+    """A plate of 100 by 50 is no coast; GeoJSON and a geographic CRS are one."""
+    geopandas, shapely = pytest.importorskip("geopandas"), pytest.importorskip("shapely")
+    plate = 25 * SQUARE
+    for source in (plate, shapely.Polygon(plate), geopandas.GeoSeries([shapely.Polygon(plate)])):
+        mindeg.Domain(source, size=5)
+    parts = shapely.MultiPolygon([shapely.Polygon(plate), shapely.box(200, 0, 300, 50)])
+    mindeg.mesh(parts, size=5)
+    assert [str(warning.message) for warning in recwarn] == []
+    sea = shapely.box(20, 35, 21, 36)
+    degrees = geopandas.GeoSeries([sea], crs="EPSG:4326")
+    with pytest.warns(UserWarning, match="project auto makes metres"):
+        mindeg.Domain(degrees, size=0.1)
+    for source in (degrees, sea, sea.__geo_interface__):
+        metres = np.ptp(mindeg.Domain(source, size=5000, project="auto").points, axis=0)
+        assert 85_000 < metres[0] < 95_000 and 105_000 < metres[1] < 115_000
+    assert "project: " in refusal(lambda: mindeg.Domain(degrees, size=5000, project="mercator"))

@@ -11,8 +11,8 @@ use mindeg_answers::interior::InteriorAnswer;
 use mindeg_answers::model::ModelAnswer;
 use mindeg_answers::names::part_name;
 use mindeg_files::{
-    Content, Division, FillRule, Format, Input, PolygonFile, ReadOptions, Selection, Session,
-    Wanted,
+    Content, Division, FillRule, Format, Input, PolygonFile, ProjectionChoice, ReadOptions,
+    Selection, Session, Wanted,
 };
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -37,6 +37,7 @@ pub(crate) struct Given {
     repair: bool,
     snap: Option<f64>,
     fill_rule: Option<String>,
+    project: Option<String>,
 }
 
 impl Given {
@@ -68,8 +69,10 @@ impl Given {
                 return wrong(format!("{key} is for repair=True alone"));
             }
         }
+        let project = self.project.as_deref().map(str::parse::<ProjectionChoice>).transpose();
+        let project = project.map_err(|error| value_error(format!("project: {error}")))?;
         Ok(ReadOptions {
-            project: None,
+            project,
             feature: self.feature.clone(),
             selection: Selection { layer: self.layer.clone(), name_by: self.name_by.clone() },
             repair,
@@ -82,7 +85,7 @@ impl Given {
 
     /// Whether something is given that is not for a domain in JSON.
     fn is_for_outlines(&self) -> bool {
-        let texts = [&self.layer, &self.name_by, &self.feature];
+        let texts = [&self.layer, &self.name_by, &self.feature, &self.project];
         self.repair || self.size.is_some() || texts.into_iter().any(Option::is_some)
     }
 }
