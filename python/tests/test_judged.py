@@ -104,6 +104,19 @@ def test_loops_of_one_mesh_or_of_two_are_joined():
         mindeg.bridge(both, through=(0, 50))
 
 
+def test_ends_far_apart_are_bridged_with_points_between():
+    turn = 2 * np.pi * np.arange(16) / 16
+    rings = [np.c_[np.cos(turn), np.sin(turn), np.full(16, height)] for height in (0, 0.4, 5, 5.4)]
+    index = np.arange(16)
+    tube = [[a, b, a + 16] for a, b in zip(index, np.roll(index, -1))] + [[b, b + 16, a + 16] for a, b in zip(index, np.roll(index, -1))]
+    both = mindeg.Mesh(np.concatenate(rings), [*tube, *(np.array(tube) + 32)])
+    plain, joined = (mindeg.bridge(both, through=(16, 32), interior=interior) for interior in (False, True))
+    assert plain.min_angle < 6 and joined.min_angle > 30
+    least, most = joined.report["degrees"]
+    assert 5 <= least and most <= 7 and joined.report["off_degree"] == []
+    assert len(joined.groups["bridge"]) > 200 and len(joined.points) > 160
+
+
 def test_a_boundary_is_conditioned():
     strait = mindeg.Domain([[0, 0], [10, 0], [10, 0.5], [0, 0.5]])
     domain, changes = strait.condition()

@@ -330,3 +330,33 @@ fn an_interrupt_leaves_nothing_behind() {
     assert_eq!(status.signal(), Some(2));
     assert!(content(folder.path()).is_empty());
 }
+
+/// Each mesh of the page stands beside the command that makes it, and the page says how it was made.
+#[test]
+fn the_page_has_the_command_of_every_mesh() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let domain = domains().into_iter().find(|path| path.ends_with("wing-panel.json"));
+    let domain = domain.expect("an example");
+    let page = folder.path().join("curve.html");
+    let run = mindeg(["tradeoff", text(&domain), "--json", "-o", text(&page)]);
+    let points = run.json()["points"].as_array().expect("points").clone();
+    let page = fs::read_to_string(&page).expect("the page");
+    assert!(page.contains(&format!("with <code>mindeg tradeoff {} --json", text(&domain))));
+    assert!(page.contains("--interior -o mesh.obj</code>"));
+    for point in points {
+        let (degree, angle) = (&point["max_degree"], point["min_angle"].as_f64());
+        let options = ["--max-degree".to_owned(), degree.to_string()];
+        let command =
+            format!("<code>mindeg mesh {} {} -o mesh.obj</code>", text(&domain), options.join(" "));
+        assert!(page.contains(&command), "{command}");
+        let out = folder.path().join("mesh.obj");
+        let mut words = vec!["mesh", text(&domain), "--json", "-o", text(&out)];
+        words.extend(options.iter().map(String::as_str));
+        let made = mindeg(words).json();
+        assert_eq!(&made["max_degree"], degree);
+        // Another mesh of that angle, rounded to 36 bits, may be shown.
+        let (made, angle) =
+            (made["min_angle"].as_f64().expect("an angle"), angle.expect("an angle"));
+        assert!((made / angle - 1.0).abs() < 1e-9, "{made} {angle}");
+    }
+}

@@ -335,10 +335,16 @@ pub fn is_small(domain: &Domain) -> bool {
 /// ```
 #[must_use]
 pub fn advised_command(input: &str, purpose: Purpose) -> String {
+    mesh_command(input, purpose.options())
+}
+
+/// The command that makes a mesh of a domain in a file, with some options.
+#[must_use]
+pub fn mesh_command(input: &str, options: &[&str]) -> String {
     // A file name that begins with a dash would look like an option.
     let folder = if input.starts_with('-') { "./" } else { "" };
     let input = shell_word(&format!("{folder}{input}"));
-    let words = ["mindeg", "mesh", &input].into_iter().chain(purpose.options().iter().copied());
+    let words = ["mindeg", "mesh", &input].into_iter().chain(options.iter().copied());
     words.chain(["-o", "mesh.obj"]).collect::<Vec<_>>().join(" ")
 }
 

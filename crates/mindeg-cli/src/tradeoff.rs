@@ -7,6 +7,7 @@ use crate::failure::Failure;
 use crate::interrupt::{SESSION, clean_up_on_interrupt};
 use crate::making::wrote;
 use crate::mesh::unsolved;
+use crate::provenance::provenance;
 use crate::standard_output::{print, print_json};
 use crate::suggest::{left_out, spread};
 use crate::terminal::say;
@@ -30,7 +31,7 @@ struct Found {
 }
 
 /// Writes a trade-off that is drawn, or the figures of all.
-type Writer = fn(&TradeOff, &Found, &mut dyn Write) -> io::Result<()>;
+type Writer = fn(&TradeOff, &Found, Option<&Path>, &mut dyn Write) -> io::Result<()>;
 
 pub(crate) fn run(arguments: &TradeoffArguments) -> Result<(), Failure> {
     let writers: Vec<Writer> =
@@ -67,8 +68,9 @@ pub(crate) fn run(arguments: &TradeoffArguments) -> Result<(), Failure> {
         all => (TradeOffAnswer::of_all(all), None),
     };
     let found = Found { answer, told, inside };
+    let input = arguments.domain.file.as_deref();
     for ((path, out), write) in arguments.output.iter().zip(opened).zip(writers) {
-        write_to(path, out, |out| write(&trade_offs[0], &found, out))?;
+        write_to(path, out, |out| write(&trade_offs[0], &found, input, out))?;
     }
     outputs.finish()?;
     let files: Vec<_> = arguments.output.iter().map(|path| path.display().to_string()).collect();
@@ -84,13 +86,13 @@ pub(crate) fn run(arguments: &TradeoffArguments) -> Result<(), Failure> {
 
 fn writer(path: &Path) -> Result<Writer, Failure> {
     match extension(path).as_deref() {
-        Some("html" | "htm") => Ok(|drawn, found, out| {
+        Some("html" | "htm") => Ok(|drawn, found, input, out| {
             let advice = found.answer.advice.unwrap_or(Advice::UNMEASURED);
             let inside = found.inside.as_ref();
-            write_trade_off_html(drawn, &advice, found.told, inside, out)
+            write_trade_off_html(drawn, &advice, found.told, inside, provenance(input), out)
         }),
-        Some("svg") => Ok(|drawn, _, out| write_trade_off_svg(drawn, out)),
-        Some("json") => Ok(|_, found, out| write_trade_off_json(&found.answer, out)),
+        Some("svg") => Ok(|drawn, _, _, out| write_trade_off_svg(drawn, out)),
+        Some("json") => Ok(|_, found, _, out| write_trade_off_json(&found.answer, out)),
         _ => Err(Failure::Input(format!(
             "-o {}: a trade-off ends in .html, .svg or .json",
             path.display()

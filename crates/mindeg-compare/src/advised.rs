@@ -47,7 +47,7 @@ pub(crate) fn first_with_mesh_of(report: &Report, wanted: Method) -> Method {
 mod tests {
     use super::*;
     use crate::{CompareOptions, compare};
-    use mindeg::{Domain, Goal, Progress, Triangles};
+    use mindeg::{Domain, Goal, Progress};
 
     /// The mesh beside a command is the one that it makes, also where two have the same degree and angle.
     #[test]

@@ -21,6 +21,9 @@ use crate::work::{done, value_error};
 /// The triangles, and what is known of them.
 type Answer<'py> = (Bound<'py, PyArray2<u32>>, Bound<'py, PyDict>);
 
+/// Points, and triangles that name them.
+type PointsAndTriangles<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<u32>>);
+
 /// Close a loop in space by the triangulation of least area under a limit on the total degree.
 ///
 /// `points` is (n, 2) or (n, 3); `external` counts the edges at each vertex without those of the filling, 2 each by
@@ -95,7 +98,7 @@ pub(crate) fn between<'py>(
     rims: Vec<Bound<'py, PyAny>>,
     triangles: &Bound<'py, PyAny>,
     around: &Bound<'py, PyAny>,
-) -> PyResult<(Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<u32>>)> {
+) -> PyResult<PointsAndTriangles<'py>> {
     let rims: Vec<Vec<DVec3>> =
         rims.iter().map(|rim| ring(rim, "rims")).collect::<PyResult<_>>()?;
     let plain = arrays::index_rows(triangles)?;

@@ -13,7 +13,7 @@ use askama::Template;
 use glam::DVec2;
 use mindeg::Bounds;
 use mindeg::exact::{ExactMesh, TradeOff};
-use mindeg_answers::advice::{Advice, KEPT, Purpose};
+use mindeg_answers::advice::{Advice, KEPT, Purpose, mesh_command};
 use mindeg_answers::numbers::{Column, count, percent, steady_angle, steady_percent};
 use mindeg_formats::svg::Inset;
 use mindeg_mesh::TriMesh;
@@ -57,11 +57,13 @@ struct Figure {
     id: String,
     title: String,
     described: String,
+    /// The command that makes it.
+    command: String,
     drawing: String,
 }
 
 /// Writes a trade-off as one self-contained HTML page with the mesh to take, for a purpose if that is told, and the mesh with
-/// points `inside`, if there is one.
+/// points `inside`, if there is one. Beside each mesh is the command that makes it, of the input that `made_by` names.
 ///
 /// # Errors
 ///
@@ -70,14 +72,14 @@ struct Figure {
 /// # Example
 ///
 /// ```
-/// use mindeg_compare::write_trade_off_html;
+/// use mindeg_compare::{Provenance, write_trade_off_html};
 /// use mindeg::{Domain, Progress, Side, exact};
 /// use mindeg_answers::advice::Advice;
 ///
 /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?.named("plate")?;
 /// let advice = Advice::of(&domain, Progress::NONE)?;
 /// let mut page = Vec::new();
-/// write_trade_off_html(&exact::trade_off(&domain, Progress::NONE)?, &advice, None, None, &mut page)?;
+/// write_trade_off_html(&exact::trade_off(&domain, Progress::NONE)?, &advice, None, None, Provenance::default(), &mut page)?;
 /// let page = String::from_utf8(page)?;
 /// assert!(page.contains("<h1>plate</h1>") && page.contains("id=\"degree-5\""));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -87,6 +89,7 @@ pub fn write_trade_off_html(
     advice: &Advice,
     told: Option<Purpose>,
     inside: Option<&TriMesh>,
+    made_by: Provenance,
     mut out: impl Write,
 ) -> io::Result<()> {
     let domain = trade_off.domain();
@@ -98,6 +101,8 @@ pub fn write_trade_off_html(
         String::new()
     };
     let bounds = domain.placement().bounds();
+    let command =
+        |options: &[&str]| mesh_command(made_by.input.as_deref().unwrap_or("DOMAIN.json"), options);
     let space = Bounds { min: DVec2::splat(MARGIN), max: MESH - MARGIN };
     let figure = |&place: &usize| {
         let exact = &meshes[place];
@@ -109,6 +114,7 @@ pub fn write_trade_off_html(
                 steady_angle(exact.min_angle),
                 percent(trade_off.share(exact))
             ),
+            command: command(&["--max-degree", &exact.max_degree.to_string()]),
             drawing: svg::mesh(&exact.mesh, bounds, space)?,
         })
     };
@@ -129,6 +135,7 @@ pub fn write_trade_off_html(
                     steady_angle(found.min_angle),
                     count(found.max_degree)
                 ),
+                command: command(Purpose::Solver.options()),
                 drawing: svg::mesh(mesh, bounds, space)?,
             },
         );
@@ -137,7 +144,7 @@ pub fn write_trade_off_html(
     let inset = Inset::new(bounds, space);
     let page = Page {
         title: domain.name().unwrap_or("Domain"),
-        provenance: Provenance::default(),
+        provenance: made_by,
         style: svg::page_style(&[STYLE, CURVE_STYLE, MESHES_STYLE]),
         facts: facts(
             &intervals,
