@@ -76,13 +76,14 @@ impl Place {
         }
     }
 
-    /// The limit in radians, `known` if it is not less.
+    /// The limit in radians, `known` if it is not clearly less.
     fn limit(&self, known: f64) -> f64 {
+        let enough = TIGHTER * known;
         let mut reached = self.with_ear(0, known).max(self.with_ear(1, known));
         let whole = self.angles.map(|angle| [0.0, angle.min(PI)]);
         let mut boxes = vec![(self.bound(&Angles(whole)), Angles(whole))];
         for _ in 0..MOST_BOXES {
-            if reached >= known {
+            if reached >= enough {
                 return known;
             }
             let best = (0..boxes.len()).max_by(|i, j| boxes[*i].0.total_cmp(&boxes[*j].0));

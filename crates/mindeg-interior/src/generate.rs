@@ -141,7 +141,7 @@ pub fn generate(
         stage.section(end);
         // Where angles come first, no place is mended for its degrees.
         if *prefer == Prefer::Degree {
-            mend_places(&mut mesh, &way, floor, seed.trials, &mut stage)?;
+            mend_places(&mut mesh, &way, &stars, floor, seed.trials, &mut stage)?;
         }
         finish(&mut mesh, &way, floor, &mut stage)?;
         mesh.check().map_err(InteriorError::NotFilled)?;

@@ -88,7 +88,7 @@ pub fn improve(
         optimise(&mut mesh, &weights(options, floor), pairs.then_some(all), &mut stage)?;
         stage.section(end);
         if options.wanted.prefer() == Prefer::Degree {
-            mend_places(&mut mesh, options, floor, 1.0, &mut stage)?;
+            mend_places(&mut mesh, options, &start.stars, floor, 1.0, &mut stage)?;
         }
         finish(&mut mesh, options, floor, &mut stage)?;
         mesh.check().map_err(InteriorError::BadMesh)?;

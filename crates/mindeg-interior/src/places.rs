@@ -13,6 +13,7 @@ use crate::redraw::{Turn, broken, redraw};
 use crate::restart::Restart;
 use crate::smooth::Sweeper;
 use crate::stage::Stage;
+use crate::star::Stars;
 use crate::triangle::{has_sine, min_angle};
 use crate::verdict::enough;
 use crate::worth::{GOOD, Worth};
@@ -52,6 +53,7 @@ const STEPS_AFTERWARDS: u32 = 40;
 pub(crate) fn mend_places(
     mesh: &mut ArrayMesh,
     options: &Options,
+    stars: &Stars,
     floor: f64,
     share: f64,
     stage: &mut Stage<'_>,
@@ -67,7 +69,7 @@ pub(crate) fn mend_places(
     let mut left = [(share * angles as f64) as usize, degrees];
     let count = |mesh: &ArrayMesh| broken(mesh, &work.weights).count();
     if left[1] < FEW_FOR_BROKEN * count(mesh) {
-        redraw(mesh, &work.weights, options, Turn::First, stage)?;
+        redraw(mesh, &work.weights, options, stars, Turn::First, stage)?;
         left[1] = left[1].min(TRIALS_FOR_BROKEN * count(mesh));
     }
     for pass in 0..PASSES {
@@ -124,7 +126,7 @@ pub(crate) fn mend_places(
             }
         }
     }
-    redraw(mesh, &work.weights, options, Turn::Last, stage)
+    redraw(mesh, &work.weights, options, stars, Turn::Last, stage)
 }
 
 /// The input that all places share.
@@ -339,7 +341,7 @@ mod tests {
         let before = area(&mesh);
         let options = Options::default();
         let mut stage = Stage::new(Progress::NONE, "mending");
-        mend_places(&mut mesh, &options, 36.0, 1.0, &mut stage).unwrap();
+        mend_places(&mut mesh, &options, &Stars::default(), 36.0, 1.0, &mut stage).unwrap();
         mesh.check().unwrap();
         assert!((area(&mesh) - before).abs() < 1e-9);
         assert_eq!(mesh.locked_edges().len(), 2);

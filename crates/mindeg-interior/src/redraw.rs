@@ -4,7 +4,7 @@
 //! most ways to other degrees lead over triangles that are turned over.
 
 use crate::anneal::settle_all;
-use crate::array_mesh::ArrayMesh;
+use crate::array_mesh::{ArrayMesh, NONE};
 use crate::bistellar::redrawn;
 use crate::disc::{Disc, ENOUGH_TRIANGLES};
 use crate::goal::Weights;
@@ -13,9 +13,13 @@ use crate::options::Options;
 use crate::sketch::Effort;
 use crate::smooth::{Power, Sweeper};
 use crate::stage::Stage;
+use crate::star::Stars;
+use crate::together::Together;
+use crate::triangle::min_angle;
 use crate::verdict::enough;
 use crate::worth::Worth;
 use mindeg_mesh::{Cancelled, Random};
+use std::collections::BTreeSet;
 
 /// One pass over all places: the rings of a disc, the effort, and the share of a local limit that no triangle may lose.
 struct Round {
@@ -48,9 +52,13 @@ pub(crate) enum Turn {
     Last,
 }
 
-/// Where all else has failed, all rounds are made once and the later ones again with other seeds. With this one larger discs are
-/// drawn anew, in large meshes: small ones are begun anew.
+/// Where all else has failed, all rounds are made once and the later ones again with other seeds. From this one on larger discs are
+/// drawn anew, in large meshes, but not where it is proven that no mesh is better: small ones are begun anew.
 const HARD: u64 = 3;
+/// The last seed.
+const LAST: u64 = 12;
+/// No more moves are made in one turn, at any mesh and for each triangle: the search ends where degrees are out of their ranges nearly everywhere.
+const MOST_MOVES: [u64; 2] = [20_000_000, 800];
 /// So many times as many moves are made in those.
 const HARD_MOVES: u32 = 3;
 /// From so many triangles on a mesh is large.
@@ -71,11 +79,36 @@ fn is_broken(mesh: &ArrayMesh, weights: &Weights, vertex: u32) -> bool {
     mesh.vertices[vertex as usize].triangles > 0 && weights.excess(mesh, vertex) > 0
 }
 
+/// The vertices above their limits of which it is proven that no mesh with such angles brings them nearer.
+fn proven_together(mesh: &ArrayMesh, options: &Options, stars: &Stars) -> BTreeSet<u32> {
+    // The sectors of vertices that are one are counted apart.
+    if !options.joined.is_empty() {
+        return BTreeSet::new();
+    }
+    let mut at = vec![NONE; mesh.goals.len()];
+    let mut angles = vec![60.0_f64; mesh.goals.len()];
+    for (t, triangle) in (0..).zip(&mesh.triangles).filter(|(_, triangle)| triangle.is_alive()) {
+        let angle = min_angle(mesh.corners(t));
+        for v in triangle.vertices {
+            let goal = mesh.vertices[v as usize].goal as usize;
+            if let Some(least) = angles.get_mut(goal) {
+                (*least, at[goal]) = (least.min(angle), v);
+            }
+        }
+    }
+    let count = |v: &u32| mesh.vertices.get(*v as usize).map_or(0, |vertex| vertex.triangles);
+    let counts: Vec<u32> = at.iter().map(count).collect();
+    let limits: Vec<u32> = mesh.goals.iter().map(|goal| goal.triangles).collect();
+    let groups = Together::new(stars, &angles, &counts, &limits).groups();
+    groups.into_iter().flat_map(|(group, _)| group).map(|goal| at[goal as usize]).collect()
+}
+
 /// Draws the discs round all vertices anew whose degrees are out of their ranges, until none is left or all rounds are over.
 pub(crate) fn redraw(
     mesh: &mut ArrayMesh,
     weights: &Weights,
     options: &Options,
+    stars: &Stars,
     turn: Turn,
     stage: &mut Stage<'_>,
 ) -> Result<(), Cancelled> {
@@ -83,8 +116,10 @@ pub(crate) fn redraw(
     let seeds = match turn {
         Turn::First => 0..=0,
         Turn::Last if mesh.triangles.len() < LARGE => 1..=HARD - 1,
-        Turn::Last => 1..=HARD,
+        Turn::Last => 1..=LAST,
     };
+    let mut left = MOST_MOVES[0] + MOST_MOVES[1] * mesh.triangles.len() as u64;
+    let mut proven = (0, BTreeSet::new());
     let rounds = |seed: u64| {
         ROUNDS
             .iter()
@@ -93,23 +128,31 @@ pub(crate) fn redraw(
             .map(move |round| (seed, round))
     };
     for (seed, (index, Round { rings, effort, kept })) in seeds.flat_map(rounds) {
-        let is_hard = seed == HARD;
+        let is_hard = seed >= HARD;
         let (most, times) =
             if is_hard { (2 * ENOUGH_TRIANGLES, HARD_MOVES) } else { (ENOUGH_TRIANGLES, 1) };
         let effort = Effort { moves: times * effort.moves, ..*effort };
-        let wrong: Vec<u32> = broken(mesh, weights).collect();
-        if is_hard && wrong.len() > MOST_HARD {
+        if is_hard && proven.0 != seed {
+            proven = (seed, proven_together(mesh, options, stars));
+        }
+        let wrong: Vec<u32> =
+            broken(mesh, weights).filter(|vertex| !proven.1.contains(vertex)).collect();
+        if wrong.is_empty() || is_hard && wrong.len() > MOST_HARD {
             break;
         }
         for vertex in wrong {
             stage.still()?;
+            if left == 0 {
+                return Ok(());
+            }
             if !is_broken(mesh, weights, vertex) {
                 continue;
             }
             let Some(disc) = Disc::cut(mesh, weights, vertex, *rings, most) else { continue };
             let before = Worth::of(&disc.mesh, weights, enough);
             let mut random = Random::new(seed << 32 | index as u64);
-            let Some(mut found) = redrawn(&disc.mesh, weights, effort, &mut random) else {
+            let Some(mut found) = redrawn(&disc.mesh, weights, effort, &mut random, &mut left)
+            else {
                 continue;
             };
             let mut stage = stage.within();
@@ -133,11 +176,14 @@ pub(crate) fn redraw(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::array_mesh::Kind;
     use crate::array_mesh::tests::grid;
+    use crate::array_mesh::{Kind, Vertex};
+    use crate::breaklines::Breaklines;
     use crate::filling::Filling;
     use crate::goal::Goal;
+    use glam::DVec2;
     use mindeg_mesh::Progress;
+    use mindeg_mesh::planar::PlanarBoundary;
 
     #[test]
     fn degrees_are_mended_and_what_stays_stays() {
@@ -156,10 +202,42 @@ mod tests {
             mesh.replace(&[cell, cell + 1], &filling);
             assert_eq!(broken(&mesh, &weights).count(), 4);
             let mut stage = Stage::new(Progress::NONE, "redrawing");
-            redraw(&mut mesh, &weights, &options, turn, &mut stage).unwrap();
+            redraw(&mut mesh, &weights, &options, &Stars::default(), turn, &mut stage).unwrap();
             assert_eq!(broken(&mesh, &weights).count(), 0, "{turn:?}");
             mesh.check().unwrap();
             assert_eq!(mesh.locked_edges().len(), 2);
+        }
+    }
+
+    /// Eight triangles round a point where four lines meet, which may have seven: in front of corners that turn inwards each sector has two.
+    #[test]
+    fn vertices_that_no_mesh_brings_nearer_to_their_limits_are_known() {
+        let weights = Weights::local(&Options::default(), 36.0);
+        for (inner, is_proven) in [(0.4, true), (1.0, false)] {
+            let turned = |p: DVec2| [p, p.perp(), -p, -p.perp()];
+            let (tips, sides) = (turned(DVec2::X), turned(DVec2::splat(inner)));
+            let ring: Vec<DVec2> =
+                (0..8).map(|i| if i % 2 == 0 { tips[i / 2] } else { sides[i / 2] }).collect();
+            let lines = Breaklines {
+                points: vec![DVec2::ZERO],
+                edges: (0..4).map(|i| [2 * i, 8]).collect(),
+            };
+            let vertex = |(at, goal): (&DVec2, u32)| Vertex {
+                at: *at,
+                size: 1.0,
+                anchor: NONE,
+                goal,
+                triangles: 0,
+                kind: if goal < 8 { Kind::Boundary } else { Kind::Fixed },
+            };
+            let vertices = ring.iter().chain(&lines.points).zip(0..).map(vertex).collect();
+            let triangles: Vec<[u32; 3]> = (0..8).map(|i| [8, i, (i + 1) % 8]).collect();
+            let goal = |v| Goal { triangles: if v < 8 { 4 } else { 7 }, ..weights.goal_inside() };
+            let goals = (0..9).map(goal).collect();
+            let mesh = ArrayMesh::new(vertices, &triangles, goals, &lines.edges).unwrap();
+            let stars = Stars::new(&PlanarBoundary::new(&[ring]).unwrap(), &lines);
+            let found = proven_together(&mesh, &Options::default(), &stars);
+            assert_eq!(found, if is_proven { BTreeSet::from([8]) } else { BTreeSet::new() });
         }
     }
 }
