@@ -239,6 +239,10 @@ def _geometry(source) -> Mapping[str, Any] | None:
     """The GeoJSON that a source is or has."""
     if isinstance(source, Mapping):
         return source if "type" in source else None
+    if isinstance(source, (list, tuple)) and source and all(isinstance(one, Mapping) or hasattr(one, "__geo_interface__") for one in source):
+        found = [_geometry(one) or {} for one in source]
+        features = [one if one.get("type") == "Feature" else {"type": "Feature", "properties": {}, "geometry": one} for one in found]
+        return {"type": "FeatureCollection", "features": features}
     return getattr(source, "__geo_interface__", None)
 
 

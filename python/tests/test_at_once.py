@@ -29,6 +29,7 @@ def sources(tmp_path):
         SQUARE.tolist(),
         [CLOSED],
         polygon,
+        [polygon],
         shapely.MultiPolygon([polygon]),
         geopandas.GeoSeries([polygon]),
         geopandas.GeoDataFrame({"name": ["a"]}, geometry=[polygon]),

@@ -190,6 +190,15 @@ def test_a_geodataframe_is_a_map_of_regions_named_by_a_column():
     assert sorted(map(tuple, border)) == [(2, 0), (2, 0.5), (2, 1), (2, 1.5), (2, 2)]
 
 
+def test_a_list_of_polygons_is_a_map_of_regions():
+    polygons = list(frame().geometry[:2])
+    features = [{"type": "Feature", "properties": {"name": name}, "geometry": one.__geo_interface__} for name, one in zip("ab", polygons)]
+    for source, names in ((polygons, {"polygon 1", "polygon 2"}), (features, {"a", "b"})):
+        mesh = mindeg.mesh(source, size=0.5, interior=True)
+        assert set(mesh.groups) == names
+        assert area(mesh) == pytest.approx(8)
+
+
 def test_parts_of_a_map_that_do_not_hang_together_are_one_mesh():
     frames = frame()
     with pytest.raises(ValueError, match="has 3 polygons"):
