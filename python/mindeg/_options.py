@@ -32,6 +32,7 @@ class InteriorOptions(TypedDict, total=False):
     size_inside: float | None
     min_size: float | None
     max_size: float | None
+    across: float | None
     interior_degree: tuple[int, int] | None
     boundary_degree: int | None
     target_angle: float | None

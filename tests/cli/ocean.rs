@@ -348,3 +348,53 @@ fn seas_of_several_parts_are_open_on_the_box_around_all() {
     assert_eq!(grid.open.len(), 1);
     assert!(grid.open[0].iter().all(|node| grid.points[*node][0] == 11.0));
 }
+
+#[test]
+fn a_grid_in_degrees_is_verified_against_its_projected_domain() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let [sea, grid] = ["sea.json", "sea.14"].map(path);
+    let coast = coast();
+    let condition = ["condition", &coast, "--project", "auto", "--limit", "25", "--size", "8km"];
+    mindeg([&condition[..], &["-o", &sea]].concat()).text();
+    mindeg(["mesh", &sea, "--interior", "-q", "-o", &grid]).text();
+    let verified = mindeg(["verify", &grid, &sea, "--json"]).json();
+    assert_eq!(verified["valid"], true, "{verified}");
+    // A grid of another place is none of the domain.
+    let text = fs::read_to_string(&grid).expect("a grid").replace(" 23.", " 24.");
+    fs::write(&grid, text).expect("a grid");
+    let run = mindeg(["verify", &grid, &sea]);
+    assert_eq!(run.code, Some(3), "{}", run.errors);
+}
+
+#[test]
+fn channels_get_as_many_edges_across_as_asked() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    // Two basins, and a channel of 2 between them whose banks are divided finely.
+    let domain = r#"{"polygon": {"corners": [[0, 0], [10, 0], [10, 4], [22, 4], [22, 0], [32, 0], [32, 10], [22, 10], [22, 6],
+        [10, 6], [10, 10], [0, 10]]}, "size": 1, "sides": [{}, {"size": 0.4}, {"size": 0.25}, {"size": 0.4}, {}, {}, {},
+        {"size": 0.4}, {"size": 0.25}, {"size": 0.4}, {}, {}]}"#;
+    fs::write(path("dumbbell.json"), domain).expect("a file");
+    let mesh = |more: &[&str]| {
+        let run = ["mesh", &path("dumbbell.json"), "--interior", "--json", "-o", &path("mesh.14")];
+        let told = mindeg([&run[..], more].concat()).json();
+        let Fort14 { points, triangles, .. } = fort14(Path::new(&path("mesh.14")));
+        // The triangles that a line across the channel passes through: two to an edge across.
+        let passed = [13.03, 15.03, 17.03, 19.03].map(|x| {
+            let sides = |corners: &[usize; 3]| corners.map(|corner| points[corner][0] < x);
+            let is_passed = |corners: &&[usize; 3]| sides(corners) != [sides(corners)[0]; 3];
+            triangles.iter().filter(is_passed).count()
+        });
+        (*passed.iter().min().expect("four"), told["vertices"].as_u64().expect("a count"))
+    };
+    let (plain, few) = mesh(&[]);
+    let (finer, more) = mesh(&["--across", "8"]);
+    let (bounded, _) = mesh(&["--across", "8", "--min-size", "0.5"]);
+    assert!(finer >= 16 && plain < 16, "{plain} {finer}");
+    assert!(bounded < finer && more > few && more < 3 * few, "{bounded} {few} {more}");
+    for wrong in ["0", "-1", "1e9"] {
+        let run = ["mesh", &path("dumbbell.json"), "--interior", "--across", wrong];
+        mindeg([&run[..], &["-o", &path("x.14")]].concat()).refuses(&["across"]);
+    }
+}

@@ -1,5 +1,6 @@
 //! The sizes that were asked for, whatever the edges that stay allow.
 
+use crate::across::sizes_across;
 use crate::edge_tree::{EdgeTree, Item};
 use crate::options::Options;
 use crate::triangle::SQRT_3;
@@ -13,7 +14,8 @@ use std::f64::consts::TAU;
 pub(crate) struct Asked {
     /// The sizes at points.
     places: EdgeTree,
-    /// Points and edges with sizes that grow from there: those of background meshes, and of the borders of regions.
+    /// Points and edges with sizes that grow from there: those of background meshes, of the ways across the domain, and of the
+    /// borders of regions.
     cones: EdgeTree,
     near: Vec<(EdgeTree, SizeFrom)>,
     between: Vec<(EdgeTree, SizeBetween)>,
@@ -84,6 +86,10 @@ impl Asked {
                 Size::At(_) | Size::File(_) => {}
             }
         }
+        let ways = wanted
+            .across
+            .map(|across| sizes_across(outline, across, wanted.min_size.unwrap_or(0.0)));
+        cones.extend((0..).zip(ways.into_iter().flatten()).map(point));
         let regions = Regions::new(outline, options);
         for (id, (_, sizes)) in (0..).zip(regions.iter().flat_map(|regions| &regions.sides)) {
             let size = sizes[0].min(sizes[1]);

@@ -59,6 +59,7 @@
 //! Equal input gives equal bytes on every machine: transcendental functions come from `libm`, orders
 //! are fixed, and one thread does all the work.
 
+mod across;
 mod anneal;
 mod array_mesh;
 mod asked;

@@ -233,7 +233,7 @@ fn with_interior(interior: &str) -> Result<Domain, String> {
 #[test]
 fn reads_every_key_of_the_interior() {
     let found = with_interior(
-        r#"{"growth": 0.3, "size_inside": 2, "min_size": 0.01, "max_size": 3, "sizes": [[1, 1, 0.1], [3, 2, 0.2],
+        r#"{"growth": 0.3, "size_inside": 2, "min_size": 0.01, "max_size": 3, "across": 3, "sizes": [[1, 1, 0.1], [3, 2, 0.2],
             {"from": ["wall", "side 1"], "size": 0.1, "growth": 0, "until": 2}, {"size": 1, "from": ["a"]},
             {"points": [[0, 0, 1], [1, 0, 2], [0, 1, 3]], "triangles": [[0, 1, 2]]}],
             "interior_degree": [4, 8], "boundary_degree": 6, "target_angle": 25,
@@ -245,6 +245,7 @@ fn reads_every_key_of_the_interior() {
         size_inside: Some(2.0),
         min_size: Some(0.01),
         max_size: Some(3.0),
+        across: Some(3.0),
         sizes: vec![
             Size::At(size_at(1.0, 1.0, 0.1)),
             Size::At(size_at(3.0, 2.0, 0.2)),

@@ -1,4 +1,4 @@
-//! A mesh with more triangles, or with another mesh beside it.
+//! A mesh with more triangles, with another mesh beside it, or in another place.
 
 use std::collections::HashMap;
 
@@ -9,6 +9,25 @@ use crate::mesh::{Group, Line, NamedVertex, PeriodicLine};
 use crate::polygons::{NonTriangles, Polygons};
 
 impl TriMesh {
+    /// The same mesh with its vertices elsewhere.
+    ///
+    /// # Errors
+    ///
+    /// Another number of positions, or one that is not finite.
+    pub fn with_positions(self, positions: Vec<DVec3>) -> Result<Self, TriMeshError> {
+        let count = self.positions.len();
+        if positions.len() != count {
+            return Err(TriMeshError(format!(
+                "{} positions for {count} vertices",
+                positions.len()
+            )));
+        }
+        if let Some(vertex) = positions.iter().position(|position| !position.is_finite()) {
+            return Err(TriMeshError(format!("vertex {vertex} would have no finite place")));
+        }
+        Ok(Self { positions, ..self })
+    }
+
     /// The same mesh with more triangles between its vertices, appended as a group of their own.
     /// Everything else stays unchanged. O(n) if the mesh has polygons, else O(k) for k triangles.
     ///

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use glam::DVec3;
 use mindeg_domain::{Domain, Interior};
 use mindeg_mesh::TriMesh;
 use mindeg_mesh::check;
@@ -22,6 +23,7 @@ use super::together::Frozen;
 /// [`DEFAULT_TOLERANCE`](super::DEFAULT_TOLERANCE) of the domain's extent, or what 32-bit floats round its
 /// coordinates by, whichever is larger, but no more than a quarter of the shortest interval. Where a vertex
 /// is at the very place of a boundary point, others near it are interior points.
+/// A mesh in degrees is projected as its domain was.
 ///
 /// # Errors
 ///
@@ -41,6 +43,8 @@ pub fn triangulation(
         let message = format!("{faces} more than three corners; cut {them} into triangles first");
         return Err(MeshDefect::new("larger_faces", message));
     }
+    let projected = in_plane_of(mesh, domain);
+    let mesh = projected.as_ref().unwrap_or(mesh);
     let tolerance = tolerance_of(mesh, domain, tolerance)?;
     let mut first_defect = None;
     for plane in MatchedPlane::ALL {
@@ -57,6 +61,22 @@ pub fn triangulation(
         }
     }
     Err(first_defect.expect("there are planes"))
+}
+
+/// A mesh in degrees in the plane of its domain: one whose vertices, projected as the domain was, all lie at the domain.
+fn in_plane_of(mesh: &TriMesh, domain: &Domain) -> Option<TriMesh> {
+    /// Rounded degrees may be beyond the domain by this share of its extent.
+    const MARGIN: f64 = 0.01;
+    let projection = domain.projection()?;
+    let bounds = domain.placement().bounds();
+    let margin = MARGIN * (bounds.max - bounds.min);
+    let place = |at: &DVec3| {
+        let place = projection.to_plane(at.truncate());
+        let is_in = place.cmpge(bounds.min - margin) & place.cmple(bounds.max + margin);
+        is_in.all().then(|| place.extend(at.z))
+    };
+    let places = mesh.positions().iter().map(place).collect::<Option<Vec<_>>>()?;
+    mesh.clone().with_positions(places).ok()
 }
 
 /// Checks a mesh that is matched to the domain's points, and adds its degrees.
