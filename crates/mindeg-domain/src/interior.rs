@@ -19,14 +19,13 @@ pub struct Interior {
     /// The size far from the boundary [default: a mean of the boundary's intervals]
     #[cfg_attr(feature = "json", schemars(extend("exclusiveMinimum" = 0)))]
     pub size_inside: Option<f64>,
-    /// The least size that counts: sizes asked for below it are raised to it [default: none]
+    /// The least size that counts: sizes asked for below it are raised to it
     #[cfg_attr(feature = "json", schemars(extend("exclusiveMinimum" = 0)))]
     pub min_size: Option<f64>,
     /// The greatest size anywhere [default: none]
     #[cfg_attr(feature = "json", schemars(extend("exclusiveMinimum" = 0)))]
     pub max_size: Option<f64>,
-    /// At least so many edges across the domain where sides face each other, as in channels and beside islands, as far as the
-    /// edges that stay allow [default: none]
+    /// At least so many edges across channels and beside islands, as far as edges that stay allow
     #[cfg_attr(feature = "json", schemars(extend("exclusiveMinimum" = 0, "maximum" = 1000)))]
     pub across: Option<f64>,
     /// Sizes somewhere: the least of all holds, and grows from there as from the boundary. Up to the default growth no
@@ -44,7 +43,7 @@ pub struct Interior {
     #[cfg_attr(feature = "json", serde(default, with = "crate::json::range"))]
     #[cfg_attr(feature = "json", schemars(with = "Option<[u32; 2]>"))]
     pub interior_degree: Option<RangeInclusive<u32>>,
-    /// The most edges of a boundary vertex; at a reflex corner 2 + round(angle / 60°), if that is more
+    /// The most edges of a boundary vertex; at a reflex corner 2 + round(angle / 60°), if more
     /// [default: 5]
     #[cfg_attr(feature = "json", schemars(range(min = 4)))]
     pub boundary_degree: Option<u32>,

@@ -26,7 +26,7 @@ pub(crate) struct InteriorArguments {
     pub(crate) no_interior: bool,
 
     /// Sizes between points: an ESRI grid (.asc), classic NetCDF, an NPZ with values, origin and spacing, an MSH with node data, or a
-    /// VTU with point data. May be repeated; the least size holds
+    /// VTU with point data. May be repeated; the least holds
     #[arg(long, value_name = "FILE")]
     pub(crate) sizes: Vec<PathBuf>,
 

@@ -27,7 +27,7 @@ pub(crate) struct SurfaceArguments {
     #[arg(long)]
     pub(crate) ascii: bool,
 
-    /// The version of MSH: 4.1, as Gmsh writes it, or 2.2, which more programs read
+    /// Of MSH: 4.1, as Gmsh writes it, or 2.2, which more programs read
     #[arg(long, value_name = "VERSION", default_value = "4.1", hide_possible_values = true)]
     pub(crate) msh_version: MshVersionName,
 

@@ -281,7 +281,7 @@ fn refuses_what_the_interior_cannot_be_with_the_place() {
     for (interior, message) in [
         (
             "true",
-            "interior: found true, expected an object with \"growth\", \"size_inside\", \"min_size\", \"max_size\", \"sizes\", \"interior_degree\", \"boundary_degree\", \"target_angle\", \"prefer\", \"max_points\"",
+            "interior: found true, expected an object with \"growth\", \"size_inside\", \"min_size\", \"max_size\", \"across\", \"sizes\", \"interior_degree\", \"boundary_degree\", \"target_angle\", \"prefer\", \"max_points\"",
         ),
         (
             r#"{"growth": 0}"#,
@@ -341,7 +341,7 @@ fn refuses_what_the_interior_cannot_be_with_the_place() {
         ),
         (
             r#"{"grow": 1}"#,
-            "interior.grow: unknown key \"grow\"; allowed: \"growth\", \"size_inside\", \"min_size\", \"max_size\", \"sizes\", \"interior_degree\", \"boundary_degree\", \"target_angle\", \"prefer\", \"max_points\"",
+            "interior.grow: unknown key \"grow\"; allowed: \"growth\", \"size_inside\", \"min_size\", \"max_size\", \"across\", \"sizes\", \"interior_degree\", \"boundary_degree\", \"target_angle\", \"prefer\", \"max_points\"",
         ),
     ] {
         let error = with_interior(interior).unwrap_err();
