@@ -113,7 +113,7 @@ def test_ends_far_apart_are_bridged_with_points_between():
     plain, joined = (mindeg.bridge(both, through=(16, 32), interior=interior) for interior in (False, True))
     assert plain.min_angle < 6 and joined.min_angle > 30
     least, most = joined.report["degrees"]
-    assert 5 <= least and most <= 7 and joined.report["off_degree"] == []
+    assert 5 <= least and most <= 7 and joined.report["violations"] == []
     assert len(joined.groups["bridge"]) > 200 and len(joined.points) > 160
 
 

@@ -201,7 +201,6 @@ fn grids_of_other_programs_are_refused_with_a_way_in() {
     for (name, bytes, words) in [
         ("gebco.nc", &b"\x89HDF\r\n\x1a\n\0"[..], "`nccopy -k classic"),
         ("etopo.tif", b"II*\0\x08\0\0\0", gdal),
-        ("depth.npy", b"\x93NUMPY\x01\0", "numpy.savez("),
     ] {
         fs::write(path(name), bytes).expect("a file");
         for option in ["--depth", "--elevation", "--sizes"] {
@@ -210,6 +209,15 @@ fn grids_of_other_programs_are_refused_with_a_way_in() {
             run.refuses(&[&format!("{}: it is a", path(name)), words, &path(name)]);
         }
     }
+    let mut rows =
+        b"\x93NUMPY\x01\0\x76\0{'descr': '<f8', 'fortran_order': False, 'shape': (2, 2), }"
+            .to_vec();
+    rows.resize(10 + 0x76, b' ');
+    rows.extend([0; 32]);
+    fs::write(path("depth.npy"), rows).expect("a file");
+    let array = ["--depth", &path("depth.npy"), "-o", &path("x.14")];
+    mindeg([&["mesh", "--rectangle", "4x4", "--size", "1", "--interior"], &array[..]].concat())
+        .refuses(&[&path("depth.npy"), "rows of x, y and value", "numpy.savez("]);
     fs::write(path("cut.nc"), b"CDF\x01\0\0\0\0").expect("a file");
     let cut = ["--depth", &path("cut.nc"), "-o", &path("x.14")];
     mindeg([&["mesh", "--rectangle", "4x4", "--size", "1", "--interior"], &cut[..]].concat())

@@ -129,6 +129,21 @@ def depths(mindeg, folder):
     subprocess.run([mindeg, "convert", bay.with_suffix(".slf"), "-o", again, "--quiet"], check=True)
     rows = [line.split() for line in again.read_text().splitlines()[2:7]]
     yield "bay.slf in mindeg: points and depths", rows == [line.split() for line in BAY.splitlines()[2:7]]
+    # The same depths on a grid, as an ESRI grid and as rows of numpy in another order.
+    x, y = numpy.meshgrid(numpy.arange(5.0), numpy.arange(4.0))
+    z = 10 + 3 * x + numpy.sin(y)
+    head = "ncols 5\nnrows 4\nxllcenter 0\nyllcenter 0\ncellsize 1\n"
+    (folder / "depth.asc").write_text(head + "\n".join(" ".join(map(repr, row)) for row in z[::-1].tolist()))
+    meshes = []
+    for name, kind in (("depth.asc", None), ("depth.npy", ">f8"), ("fortran.npy", "<f8")):
+        if kind:
+            rows = numpy.column_stack([x.ravel(), y.ravel(), z.ravel()])[::-1].astype(kind)
+            numpy.save(folder / name, numpy.asfortranarray(rows) if name == "fortran.npy" else rows)
+        out = folder / f"{name}.14"
+        command = [mindeg, "mesh", "--rectangle", "4x3", "--size", "0.5", "--interior", "--depth", folder / name, "-o", out, "--quiet"]
+        subprocess.run(command, check=True)
+        meshes.append(out.read_text().splitlines()[1:])
+    yield "depths of numpy's rows", meshes[0] == meshes[1] == meshes[2]
 
 
 def main():

@@ -26,7 +26,7 @@ pub struct Interior {
     #[cfg_attr(feature = "json", schemars(extend("exclusiveMinimum" = 0)))]
     pub max_size: Option<f64>,
     /// At least so many edges across channels and beside islands, as far as edges that stay allow
-    #[cfg_attr(feature = "json", schemars(extend("exclusiveMinimum" = 0, "maximum" = 1000)))]
+    #[cfg_attr(feature = "json", schemars(extend("exclusiveMinimum" = 0, "maximum" = 100)))]
     pub across: Option<f64>,
     /// Sizes somewhere: the least of all holds, and grows from there as from the boundary. Up to the default growth no
     /// edge at the vertex nearest to a place `[x, y, h]` is longer than h
@@ -140,9 +140,9 @@ impl Interior {
             let message = format!("the least size, {min}, is above the greatest, {max}");
             return error(Place::key("min_size"), message);
         }
-        if let Some(across) = self.across.filter(|across| !(*across > 0.0 && *across <= 1000.0)) {
+        if let Some(across) = self.across.filter(|across| !(*across > 0.0 && *across <= 100.0)) {
             let message =
-                format!("{across} edges across is out of range; give more than 0, up to 1000");
+                format!("{across} edges across is out of range; give more than 0, up to 100");
             return error(Place::key("across"), message);
         }
         self.sizes.iter().enumerate().try_for_each(|(index, size)| size.check(index))?;

@@ -19,9 +19,8 @@ const FOREIGN: &[(&[&str], &str, &str)] = &[
     ),
     (
         &["npy"],
-        "an array without a place",
-        "in Python, `numpy.savez(\"grid.npz\", values=numpy.load(\"FILE\"), origin=[x, y], spacing=[dx, dy])` gives it one; \
-         its rows run from the lowest y on",
+        "an array of numpy",
+        "only depths and sizes are read of it, from rows of x, y and value",
     ),
     (
         &["geo"],

@@ -10,7 +10,8 @@ use mindeg_formats::Field;
 use std::io;
 
 impl Session {
-    /// Reads sizes: an ESRI grid (`.asc`), a grid in classic NetCDF, an NPZ with `values`, `origin` and `spacing`, or a mesh with one number at each
+    /// Reads sizes: an ESRI grid (`.asc`), a grid in classic NetCDF, an NPZ with `values`, `origin` and `spacing`, an array of
+    /// numpy (`.npy`) with rows of x, y and value, or a mesh with one number at each
     /// vertex, MSH or VTU. Values that are no sizes, such as NaN, are left out with the triangles and cells at them. No
     /// output may replace the file from then on.
     ///
@@ -24,7 +25,8 @@ impl Session {
         sizes_of(&input.name(), &self.bytes(input, SIZES)?)
     }
 
-    /// Reads depths on a grid: an ESRI grid (`.asc`), a grid in classic NetCDF, or an NPZ with `values`, `origin` and `spacing`. No output may
+    /// Reads depths on a grid: an ESRI grid (`.asc`), a grid in classic NetCDF, an NPZ with `values`, `origin` and `spacing`, or an array of numpy
+    /// (`.npy`) with rows of x, y and value. No output may
     /// replace the file from then on.
     ///
     /// # Errors
@@ -44,7 +46,7 @@ impl Session {
                     .ok_or_else(|| wrong("no value is a finite number"))
             }
             Field::Mesh(..) => Err(wrong(
-                "it is a mesh; depths are read from a grid: an ESRI grid (.asc), classic NetCDF, or an NPZ",
+                "it is a mesh; depths are read from a grid: an ESRI grid (.asc), classic NetCDF, NPZ or .npy",
             )),
         }
     }
@@ -82,8 +84,9 @@ const SIZES: &str = "file of sizes";
 /// The field in a file's bytes.
 fn field_of(name: &str, bytes: &[u8]) -> Result<Field, FileError> {
     Field::read(bytes).map_err(|error| {
-        // Faults of classic NetCDF are told as they are.
-        let foreign = foreign::extension_of(bytes).filter(|_| !bytes.starts_with(b"CDF"));
+        // Faults of what is read are told as they are.
+        let is_read = bytes.starts_with(b"CDF") || bytes.starts_with(b"\x93NUMPY");
+        let foreign = foreign::extension_of(bytes).filter(|_| !is_read);
         let advice = foreign.and_then(|extension| foreign::advice(extension, name));
         FileError::wrong(format!("{name}: {}", advice.unwrap_or(error.to_string())))
     })

@@ -19,8 +19,8 @@ pub enum Field {
 }
 
 impl Field {
-    /// Reads an ESRI grid (`.asc`), a grid in classic NetCDF, an NPZ with `values`, `origin` and `spacing`, an MSH with
-    /// `$NodeData`, or a VTU with point data; the content tells which. Of several data the first with one number at each vertex counts, in a VTU
+    /// Reads an ESRI grid (`.asc`), a grid in classic NetCDF, an NPZ with `values`, `origin` and `spacing`, an array
+    /// of numpy (`.npy`) with rows of x, y and value, an MSH with `$NodeData`, or a VTU with point data; the content tells which. Of several data the first with one number at each vertex counts, in a VTU
     /// by name.
     ///
     /// # Errors
@@ -42,6 +42,7 @@ impl Field {
         match Format::of_content(file) {
             Some(Format::Ugrid) => netcdf::read_raster(file).map(Self::Grid),
             Some(Format::Npz) => npz::read_raster(file).map(Self::Grid),
+            _ if file.starts_with(npz::MAGIC) => npz::read_rows(file).map(Self::Grid),
             Some(Format::Msh) => msh::read_values(file).map(of_mesh),
             Some(Format::Vtu) => vtu::read_values(file).map(of_mesh),
             _ if file
@@ -53,8 +54,8 @@ impl Field {
             }
             _ => Err(ReadError::place(
                 "",
-                "sizes are read from an ESRI grid (.asc), classic NetCDF, an NPZ with values, origin and spacing, an MSH with \
-                 node data, or a VTU with point data",
+                "sizes are read from an ESRI grid (.asc), classic NetCDF, an NPZ with values, origin and spacing, a .npy \
+                 with rows of x, y and value, an MSH with node data, or a VTU with point data",
             )),
         }
     }

@@ -14,6 +14,7 @@
 
 mod array;
 mod read;
+mod rows;
 mod write;
 mod zip;
 
@@ -21,6 +22,7 @@ use crate::facts::Facts;
 
 pub use read::read;
 pub(crate) use read::read_raster;
+pub(crate) use rows::{MAGIC, read_rows};
 use write::write;
 
 pub(crate) const FACTS: Facts = Facts {

@@ -25,8 +25,8 @@ pub(crate) struct InteriorArguments {
     #[arg(long, conflicts_with = "interior")]
     pub(crate) no_interior: bool,
 
-    /// Sizes between points: an ESRI grid (.asc), classic NetCDF, an NPZ with values, origin and spacing, an MSH with node data, or a
-    /// VTU with point data. May be repeated; the least holds
+    /// Sizes between points: ESRI's .asc, classic NetCDF, NPZ with values, origin, spacing, .npy with rows of x, y, value, MSH
+    /// or VTU with data at points. May be repeated; the least holds
     #[arg(long, value_name = "FILE")]
     pub(crate) sizes: Vec<PathBuf>,
 

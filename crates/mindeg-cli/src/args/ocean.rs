@@ -77,7 +77,7 @@ impl BoundaryKinds {
 #[derive(Clone, Debug, Default, Args)]
 #[command(next_help_heading = "Ocean models")]
 pub(crate) struct DepthArguments {
-    /// Depths of the vertices, positive down, from an ESRI grid (.asc), classic NetCDF or an NPZ as for --sizes; in degrees if the
+    /// Depths of the vertices, positive down, from an ESRI grid (.asc), classic NetCDF, NPZ or .npy as for --sizes; in degrees if the
     /// domain was projected and the grid is within them
     #[arg(long, value_name = "FILE")]
     pub(crate) depth: Option<PathBuf>,
