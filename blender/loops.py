@@ -265,14 +265,13 @@ def bridge(patch, external, *, interior=False, max_degree=None):
     order = np.arange(len(second))
     if normals[0] @ normals[1] < 0:
         order = order[::-1]
-    patch_degrees = external
-    external = [*external[: len(first)], *(external[len(first) + i] for i in order)]
+    turned = [*external[: len(first)], *(external[len(first) + i] for i in order)]
     triangles, facts = mindeg.bridge_loops(
-        first, np.ascontiguousarray(second[order]), external=external, max_degree=max_degree
+        first, np.ascontiguousarray(second[order]), external=turned, max_degree=max_degree
     )
     names = np.concatenate([np.arange(len(first)), len(first) + order])
     patch.triangles = names[triangles].tolist()
     patch.degree, patch.min_angle = facts["max_degree"], facts["min_angle"]
     patch.words = f"least possible {facts['least_max_degree']}"
     if interior:
-        _put_points(patch, [first, second], names[triangles], patch_degrees)
+        _put_points(patch, [first, second], names[triangles], external)

@@ -57,6 +57,17 @@ def measured(thing):
     return degree, len(bm.faces), area, bm
 
 
+def mapped(thing):
+    """Gives its faces UVs, their places, and the second material."""
+    bm = bmesh.from_edit_mesh(thing.data)
+    uv = bm.loops.layers.uv.new("map")
+    for face in bm.faces:
+        face.material_index = 1
+        for corner in face.loops:
+            corner[uv].uv = corner.vert.co.xy
+    return bm
+
+
 def ring_edges(count, first=0):
     return [(first + i, first + (i + 1) % count) for i in range(count)]
 
@@ -199,12 +210,7 @@ def test_a_bent_loop_gets_points_inside(is_beside_faces):
         # A collar of quads, which the filling goes on from.
         outer = [(1.3 * x, 1.3 * y, 1.69 * z) for x, y, z in rim]
         thing = edit(rim + outer, faces=[(i, 24 + i, 24 + (i + 1) % 24, (i + 1) % 24) for i in range(24)])
-        bm = bmesh.from_edit_mesh(thing.data)
-        uv = bm.loops.layers.uv.new("map")
-        for face in bm.faces:
-            face.material_index = 1
-            for corner in face.loops:
-                corner[uv].uv = corner.vert.co.xy
+        bm = mapped(thing)
         bpy.ops.mesh.select_all(action="DESELECT")
         for edge in bm.edges:
             edge.select = all(vertex.index < 24 for vertex in edge.verts)
@@ -366,12 +372,7 @@ def test_retriangulated_faces_keep_uvs_colors_and_materials(options):
 def test_a_filled_hole_takes_uvs_and_material_from_the_faces_beside(options):
     outer, inner = circle(16, radius=2), circle(16)
     thing = edit(outer + inner, faces=[(i, (i + 1) % 16, 16 + (i + 1) % 16, 16 + i) for i in range(16)])
-    bm = bmesh.from_edit_mesh(thing.data)
-    uv = bm.loops.layers.uv.new("map")
-    for face in bm.faces:
-        face.material_index = 1
-        for corner in face.loops:
-            corner[uv].uv = corner.vert.co.xy
+    mapped(thing)
     assert bpy.ops.mesh.mindeg_fill(**options) == {"FINISHED"}
     bm = bmesh.from_edit_mesh(thing.data)
     uv = bm.loops.layers.uv["map"]

@@ -36,7 +36,7 @@ pub struct StitchAnswer {
     pub triangles: usize,
     /// The triangles of the second mesh that overlapped the first one or touched it, and were dropped.
     pub overlapping: usize,
-    /// Those that were dropped since they were too near it.
+    /// The triangles that were dropped since they were too near it.
     pub near: usize,
     /// The vertices that no given mesh has.
     pub new_vertices: usize,

@@ -20,9 +20,10 @@ mod zip;
 
 use crate::facts::Facts;
 
+pub(crate) use array::MAGIC;
 pub use read::read;
 pub(crate) use read::read_raster;
-pub(crate) use rows::{MAGIC, read_rows};
+pub(crate) use rows::read_rows;
 use write::write;
 
 pub(crate) const FACTS: Facts = Facts {

@@ -23,7 +23,7 @@ pub(crate) struct Effort {
     pub(crate) vertex: f64,
 }
 
-/// What is wanted at a vertex: the sine of its angles, squared, and the least and the greatest number of triangles.
+/// The aims at a vertex: the sine of its angles, squared, and the least and the greatest number of triangles.
 #[derive(Debug, Clone, Copy)]
 struct Aim {
     squared_sine: f64,

@@ -29,7 +29,7 @@ use std::ops::Range;
 /// The name of the group of the strip.
 pub const BRIDGE: &str = "bridge";
 
-/// What a bridge should be; by default a strip without points inside, of the least degree that is possible.
+/// Wishes for a bridge; by default a strip without points inside, of the least degree that is possible.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct BridgeOptions {
     /// The limit on total degrees of the strip; without one, the least that is possible.

@@ -33,11 +33,11 @@ use crate::error::MeshError;
 /// The gap that is filled.
 #[derive(Clone, Copy, Debug)]
 pub enum Gap<'a> {
-    /// What an area has outside the meshes. Where its border leaves a mesh, the new mesh begins at the last boundary vertex within the
+    /// The part of an area outside the meshes. Where its border leaves a mesh, the new mesh begins at the last boundary vertex within the
     /// area. Its sides give the new boundary their names and kinds. If the area was [projected](Domain::projection), the meshes are
     /// in degrees.
     Within(&'a Domain),
-    /// What is left where two meshes overlap, when the second one has lost its triangles there; with a projection, if they are in
+    /// The place where two meshes overlap, when the second one has lost its triangles there; with a projection, if they are in
     /// degrees. New boundary is that of the second mesh, to within an edge of the first.
     Overlap(Option<&'a Projection>),
 }
@@ -111,14 +111,14 @@ fn within(
     let told = (0..border.vertex_count()).map(told).collect();
     let joined = Joining::new(whole, border.points().to_vec(), told, area.projection())?;
     apart(&joined.points, &joined.next, &starts)?;
-    let mut gaps = joined.parts(gap::rings(&joined.points, &joined.next, &border)?);
+    let gaps = joined.parts(gap::rings(&joined.points, &joined.next, &border)?);
     if gaps.is_empty() {
         let sentence = "the area has no gap: all of it lies in the meshes";
         return Err(MeshError::refused(sentence));
     }
     // One after the other: the new vertices of each follow those before.
     let mut new = New::default();
-    for rings in gaps.drain(..) {
+    for rings in gaps {
         joined.fill(&rings, wanted, &mut new, progress)?;
     }
     joined.with(new)
@@ -141,7 +141,7 @@ fn overlapping(
     let named = Named::new(second);
     let overlap = Overlap::new([first, second], &places)?;
     let start = first.positions().len() as u32;
-    let (mut best, mut problem): (Option<Stitched>, _) = (None, None);
+    let (mut best, mut problem) = (None, None);
     let merit = |stitched: &Stitched| {
         let degrees = stitched.mesh.degrees();
         let is_off = |vertex: &&u32| !(5..=7).contains(&degrees[**vertex as usize]);
@@ -171,20 +171,21 @@ fn overlapping(
         match stitched {
             Ok(stitched) => {
                 let found = merit(&stitched);
-                if best.as_ref().is_none_or(|best| found < merit(best)) {
-                    best = Some(stitched);
-                }
                 if found == (0, Reverse(GOOD.to_bits())) {
-                    break;
+                    return Ok(stitched);
+                }
+                if best.as_ref().is_none_or(|(of_best, _)| found < *of_best) {
+                    best = Some((found, stitched));
                 }
             }
+            Err(error @ MeshError::Cancelled(_)) => return Err(error),
             Err(error) => {
                 problem.get_or_insert(error);
             }
         }
     }
     // A width is tried, so there is a problem where there is no mesh.
-    best.ok_or_else(|| {
+    best.map(|(_, stitched)| stitched).ok_or_else(|| {
         problem.unwrap_or_else(|| MeshError::refused("no width of the gap is meshed"))
     })
 }
@@ -195,4 +196,33 @@ fn expect_flat(mesh: &TriMesh) -> Result<(), MeshError> {
     }
     let sentence = "a mesh is not flat, or has a triangle that is clockwise: only meshes of the plane are joined so";
     Err(MeshError::refused(sentence))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::interior;
+    use mindeg_domain::Side;
+    use mindeg_mesh::Step;
+    use std::ops::ControlFlow;
+    use std::sync::atomic::{AtomicU32, Ordering};
+
+    #[test]
+    fn a_cancelled_gap_is_not_tried_again() {
+        let square = |x: f64| {
+            let corners = [[x, 0.0], [x + 3.0, 0.0], [x + 3.0, 3.0], [x, 3.0]];
+            let domain = Domain::polygon(corners, vec![Side::count(6); 4]).unwrap();
+            interior::mesh(&domain, &Interior::default(), Progress::NONE).unwrap().mesh
+        };
+        let meshes = [square(0.0), square(2.0)];
+        let calls = AtomicU32::new(0);
+        let cancel = |_: Step<'_>| {
+            calls.fetch_add(1, Ordering::Relaxed);
+            ControlFlow::Break(())
+        };
+        let run = |progress| stitch(&meshes, Gap::Overlap(None), &Interior::default(), progress);
+        assert!(matches!(run(Progress::new(&cancel)), Err(MeshError::Cancelled(_))));
+        assert_eq!(calls.load(Ordering::Relaxed), 1);
+        run(Progress::NONE).unwrap();
+    }
 }

@@ -4,6 +4,9 @@ use crate::ReadError;
 use crate::numbers::{HALF_EPSILON, Scalar, bits};
 use std::borrow::Cow;
 
+/// The first bytes of an array.
+pub(crate) const MAGIC: &[u8] = b"\x93NUMPY";
+
 /// The head of an array with rows of `columns` numbers; of one number without it.
 pub(super) fn head(kind: &str, rows: u32, columns: Option<u32>) -> Vec<u8> {
     let columns = columns.map_or(String::new(), |columns| columns.to_string());
@@ -13,7 +16,7 @@ pub(super) fn head(kind: &str, rows: u32, columns: Option<u32>) -> Vec<u8> {
     let len = (10 + text.len() + 1).next_multiple_of(64) - 10;
     text.extend(std::iter::repeat_n(' ', len - 1 - text.len()));
     text.push('\n');
-    let mut head = b"\x93NUMPY\x01\0".to_vec();
+    let mut head = [MAGIC, &[1, 0]].concat();
     head.extend_from_slice(&(len as u16).to_le_bytes());
     head.extend_from_slice(text.as_bytes());
     head
@@ -45,7 +48,7 @@ impl Head {
     fn read(offset: usize, bytes: &[u8]) -> Result<Self, ReadError> {
         let problem = |problem: &str| ReadError::byte(offset, problem.to_owned());
         let broken = || problem("this is not the head of an array of numpy");
-        let rest = bytes.strip_prefix(b"\x93NUMPY").ok_or_else(broken)?;
+        let rest = bytes.strip_prefix(MAGIC).ok_or_else(broken)?;
         let (len, rest) = match rest {
             [1, _, a, b, rest @ ..] => (u16::from_le_bytes([*a, *b]).into(), rest),
             [2 | 3, _, a, b, c, d, rest @ ..] => (u32::from_le_bytes([*a, *b, *c, *d]), rest),

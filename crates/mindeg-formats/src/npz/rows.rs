@@ -6,9 +6,6 @@ use crate::raster::Raster;
 use glam::DVec2;
 use std::borrow::Cow;
 
-/// The first bytes of an array.
-pub(crate) const MAGIC: &[u8] = b"\x93NUMPY";
-
 /// Columns and rows may lie this share of their distance off: coordinates of 32 bits do.
 const OFF: f64 = 1e-2;
 

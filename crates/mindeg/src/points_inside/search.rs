@@ -28,7 +28,7 @@ const LEAVING: [f64; 3] = [1.0, 0.5, 0.0];
 const FOLDED: f64 = -0.5;
 /// Below this minimum angle, in degrees, the surface is meshed once more.
 const THIN: f64 = 30.0;
-/// What is said where nothing else is left.
+/// The reason where each surface folds.
 const FOLDS: &str = "with points inside, it would fold";
 /// Groups of triangles: those around the rims, and those between.
 const AROUND: u32 = 0;

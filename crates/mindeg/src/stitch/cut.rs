@@ -7,7 +7,7 @@ use mindeg_mesh::{Group, Line, LineKind, NamedVertex, Positions, TriMesh, Triang
 use super::overlap::edges_of;
 use crate::error::MeshError;
 
-/// What is left of a mesh.
+/// The rest of a mesh.
 pub(super) struct Cut {
     /// The vertices that are left, by their old indices.
     pub(super) vertices: Vec<u32>,

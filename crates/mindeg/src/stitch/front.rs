@@ -31,7 +31,7 @@ pub(super) struct Front {
     pub(super) told: Vec<Told>,
 }
 
-/// What the edges of lines are called.
+/// The names and kinds of the edges of lines.
 pub(super) struct Named(BTreeMap<[u32; 2], Told>);
 
 impl Named {

@@ -28,7 +28,7 @@ const MOST_EDGES: u32 = 7;
 /// Edges on the border of the gap grow so with their distance from the meshes.
 pub(super) const GROWTH: f64 = 0.4;
 
-/// What new boundary is called.
+/// The name and the kind of new boundary.
 pub(super) type Told = (Option<String>, Option<LineKind>);
 
 /// Meshes that were joined.
@@ -44,7 +44,7 @@ pub struct Stitched {
     pub min_angle: f64,
     /// The vertices of the given meshes at which the gap ended, and that lie inside now.
     pub joined: Vec<u32>,
-    /// What the second mesh lost to the first.
+    /// The triangles that the second mesh lost to the first.
     pub dropped: Option<Dropped>,
 }
 
@@ -67,7 +67,7 @@ pub(super) struct Joining {
     pub(super) next: BTreeMap<u32, u32>,
     /// The other points of the gap's border.
     free: Vec<DVec2>,
-    /// What the edges of the gap's border are called that are of no mesh.
+    /// The names and kinds of the border's edges that are of no mesh.
     told: Vec<Told>,
     projection: Option<Projection>,
     /// The name of sides along meshes, which nothing else has.
@@ -167,7 +167,7 @@ impl Joining {
         let domain = domain
             .with_constraints(Constraints { vertices, ..Constraints::default() })
             .map_err(MeshError::refused)?;
-        let found = interior::mesh(&domain, wanted, progress).map_err(MeshError::refused)?;
+        let found = interior::mesh(&domain, wanted, progress)?;
         let first = self.points.len() + new.points.len();
         let mut added = Vec::new();
         let numbers: Vec<u32> = found
