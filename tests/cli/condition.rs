@@ -4,7 +4,7 @@ use serde_json::json;
 use std::path::Path;
 
 fn domain(name: &str) -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/domains").join(name);
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/domains").join(name);
     path.display().to_string()
 }
 

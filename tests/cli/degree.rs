@@ -81,7 +81,7 @@ fn a_closed_pipe_ends_quietly() {
 
 #[test]
 fn a_domain_is_told_which_mesh_to_take() {
-    let channel = "../../assets/domains/boundary-layer-channel.json";
+    let channel = "assets/domains/boundary-layer-channel.json";
     let run = mindeg(["degree", channel]);
     assert_eq!(run.code, Some(0), "{}", run.errors);
     let text = String::from_utf8_lossy(&run.output).into_owned();

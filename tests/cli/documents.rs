@@ -4,7 +4,7 @@
 
 use crate::run::{mindeg, shell};
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Commands that run elsewhere, by their first words: builds, other programs' package managers, and a
 /// server that waits for its reader.
@@ -85,8 +85,8 @@ fn is_shown(shown: &str, printed: &str) -> bool {
     rest.ends_with(last.trim_start())
 }
 
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
 fn copy(from: &Path, to: &Path) {

@@ -96,7 +96,7 @@ mod page {
     }
 
     fn preset(name: &str) -> Value {
-        let path = format!("{}/../../assets/domains/{name}.json", env!("CARGO_MANIFEST_DIR"));
+        let path = format!("{}/assets/domains/{name}.json", env!("CARGO_MANIFEST_DIR"));
         serde_json::from_str(&fs::read_to_string(path).expect("a preset")).expect("JSON")
     }
 
@@ -105,7 +105,7 @@ mod page {
     fn the_advice_is_the_same_everywhere() {
         let folder = tempfile::tempdir().expect("a folder");
         let page = Page::open(folder.path(), &[]);
-        let domains = format!("{}/../../assets/domains", env!("CARGO_MANIFEST_DIR"));
+        let domains = format!("{}/assets/domains", env!("CARGO_MANIFEST_DIR"));
         let mut count = 0;
         for entry in fs::read_dir(&domains).expect("a folder") {
             let path = entry.expect("a file").path();

@@ -123,7 +123,7 @@ fn no_mesh_has_more_than_all_of_the_limit() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("a.obj").display().to_string();
     let file =
-        concat!(env!("CARGO_MANIFEST_DIR"), "/../mindeg-interior/tests/multiscale-side.json");
+        concat!(env!("CARGO_MANIFEST_DIR"), "/crates/mindeg-interior/tests/multiscale-side.json");
     let command = ["mesh", file, "--interior", "--prefer", "angle", "-o", &out, "--json"];
     let summary = mindeg(command).json();
     assert_ne!(summary["corners"], serde_json::json!([]), "a limit costs angle: {summary}");
@@ -364,8 +364,7 @@ fn sizes_come_from_grids_and_background_meshes() {
 
 #[test]
 fn an_angle_that_nobody_asked_for_is_offered() {
-    let at =
-        Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/domains/plate-with-holes.json");
+    let at = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/domains/plate-with-holes.json");
     let folder = tempdir().expect("a folder");
     let output = folder.path().join("plate.obj");
     let run = |options: &[&str]| {

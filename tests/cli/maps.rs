@@ -5,8 +5,7 @@ use std::fs;
 use std::path::Path;
 use tempfile::tempdir;
 
-const MAP: &str =
-    concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/outlines/two-materials.geojson");
+const MAP: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/outlines/two-materials.geojson");
 
 fn text(path: &Path) -> &str {
     path.to_str().expect("a path in ASCII")
@@ -158,7 +157,7 @@ fn a_mesh_of_polygons_that_were_repaired_together_is_verified() {
 fn a_mesh_of_several_parts_is_verified() {
     let folder = tempdir().expect("a folder");
     let at = |name: &str| folder.path().join(name);
-    let states = concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/outlines/states.json");
+    let states = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/outlines/states.json");
     let from = [states, "--layer", "states", "--name-by", "name"];
     let (all, one) = (at("all.obj"), at("one.obj"));
     mindeg([&["mesh"], &from[..], &["--interior", "-q", "-o", text(&all)]].concat()).text();

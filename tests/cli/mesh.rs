@@ -15,7 +15,7 @@ const OTHERS: [&str; 5] = [
 
 /// The bundled domains that are convex with straight sides.
 pub(crate) fn domains() -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/domains");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/domains");
     let mut domains: Vec<PathBuf> = fs::read_dir(folder)
         .expect("the domains are there")
         .map(|entry| entry.expect("the folder can be read").path())

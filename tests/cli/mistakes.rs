@@ -10,7 +10,7 @@ use std::process::Command;
 
 #[test]
 fn pinned_mistakes_are_answered_with_what_and_where_and_what_to_do() {
-    pinned::check("../../tests/cli/mistakes.txt", |input| {
+    pinned::check("tests/cli/mistakes.txt", |input| {
         let folder = tempfile::tempdir().expect("a folder");
         let (files, arguments) = input.rsplit_once("$ ").expect("a command line comes last");
         for (name, content) in files.lines().filter_map(|line| line.split_once(": ")) {

@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 fn model(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/models").join(name)
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/models").join(name)
 }
 
 fn mesh<'a>(file: &'a Path, outputs: &'a [PathBuf], more: &'a [&'a str]) -> Run {

@@ -38,7 +38,7 @@ fn keys(value: &Value, into: &mut BTreeSet<String>) {
 fn a_thing_has_one_name_in_the_json_of_all_commands() {
     let folder = tempfile::tempdir().expect("a folder");
     let at = |name: &str| folder.path().join(name).display().to_string();
-    let asset = |name: &str| format!("{}/../../assets/{name}", env!("CARGO_MANIFEST_DIR"));
+    let asset = |name: &str| format!("{}/assets/{name}", env!("CARGO_MANIFEST_DIR"));
     let (plate, inside) = (at("plate.obj"), at("inside.obj"));
     let (cube, even) = (asset("models/cube.json"), at("even.obj"));
     let (solid, scan) = (at("cube.obj"), asset("meshes/scan.obj"));

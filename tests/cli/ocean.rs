@@ -7,7 +7,7 @@ use std::fs;
 use std::path::Path;
 
 fn coast() -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/outlines/saronic.geojson");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/outlines/saronic.geojson");
     path.display().to_string()
 }
 
@@ -243,7 +243,7 @@ fn lengths_with_units_need_metres() {
     mindeg_reading(["condition", "-", "--project", "auto"], planar)
         .refuses(&["leave out --project"]);
     let json = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../../assets/domains/gusset.json")
+        .join("assets/domains/gusset.json")
         .display()
         .to_string();
     mindeg(["condition", &json, "--project", "auto"])
@@ -291,8 +291,7 @@ fn kinds_of_lines_in_geojson_reach_the_mesh_and_come_back() {
 fn lines_inside_are_no_boundaries_of_an_ocean_model() {
     let folder = tempfile::tempdir().expect("a folder");
     let grid = folder.path().join("two.14").display().to_string();
-    let path =
-        Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/outlines/two-materials.geojson");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/outlines/two-materials.geojson");
     let run = mindeg(["mesh", &path.display().to_string(), "--interior", "-o", &grid]);
     let told = "two.14 leaves out lines inside, since the format has boundaries alone: ";
     let words = format!("{}{}", String::from_utf8_lossy(&run.output), run.errors);

@@ -350,7 +350,7 @@ fn mistakes_are_named_with_what_to_do() {
 fn the_boundary_of_a_mesh_becomes_a_domain() {
     let folder = folder(&[]);
     let at = |name: &str| folder.path().join(name).display().to_string();
-    let domain = concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/domains/plate-with-holes.json");
+    let domain = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/domains/plate-with-holes.json");
     let run = |arguments: &[&str]| {
         let run = mindeg(arguments);
         assert_eq!(run.code, Some(0), "{arguments:?}: {}", run.errors);

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 fn asset(name: &str) -> String {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets");
     folder.join(name).to_string_lossy().into_owned()
 }
 

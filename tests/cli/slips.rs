@@ -4,7 +4,7 @@ use crate::pinned;
 use crate::run::{mindeg, mindeg_reading};
 
 /// Arguments separated by spaces, `"` for one that has spaces; and the message up to the first empty line.
-const SLIPS: &str = "../../tests/cli/slips.txt";
+const SLIPS: &str = "tests/cli/slips.txt";
 
 /// The arguments of a line, as a shell sees them.
 fn words(line: &str) -> Vec<&str> {

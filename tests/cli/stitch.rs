@@ -173,7 +173,7 @@ fn a_fine_mesh_in_a_sea_takes_the_place_of_the_coarse_one() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = |name: &str| folder.path().join(name).display().to_string();
     let saronic =
-        concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/outlines/saronic.geojson").to_owned();
+        concat!(env!("CARGO_MANIFEST_DIR"), "/assets/outlines/saronic.geojson").to_owned();
     let [sea, bay, out] = ["sea.14", "bay.14", "both.14"].map(path);
     let mesh = |file: &str, more: &[&str], out: &str| {
         let run =

@@ -99,7 +99,7 @@ fn help_goes_to_standard_output_with_examples() {
 #[test]
 fn examples_of_the_help_work() {
     let folder = tempfile::tempdir().expect("a folder");
-    let assets = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets");
+    let assets = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("assets");
     std::os::unix::fs::symlink(
         assets.canonicalize().expect("it is there"),
         folder.path().join("assets"),

@@ -12,7 +12,7 @@ const READ: [&str; 12] =
     ["obj", "glb", "gltf", "msh", "vtu", "vtk", "ply", "stl", "off", "node", "14", "2dm"];
 
 fn asset(name: &str) -> String {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/domains");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/domains");
     folder.join(format!("{name}.json")).to_string_lossy().into_owned()
 }
 
@@ -251,9 +251,8 @@ fn rounded_meshes_pass_within_the_tolerance() {
 /// docs/verify.md has a row for every key.
 #[test]
 fn every_key_of_the_report_is_documented() {
-    let page =
-        fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/verify.md"))
-            .expect("the page");
+    let page = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/verify.md"))
+        .expect("the page");
     let plate = Plate::new();
     let found = plate.verify(&plate.file, &["--json"]).json();
     let keys: Vec<&str> =
