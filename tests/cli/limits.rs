@@ -167,11 +167,11 @@ fn gaps_of_large_domains_say_what_to_do() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("large.json");
     let corner = |corner: u32| {
-        let (sin, cos) = (f64::from(corner) * std::f64::consts::TAU / 300.0).sin_cos();
+        let (sin, cos) = (f64::from(corner) * std::f64::consts::TAU / 200.0).sin_cos();
         let radius = if corner.is_multiple_of(2) { 100.0 } else { 99.99 };
         format!("[{}, {}]", radius * cos, radius * sin)
     };
-    let ring = (0..300).map(corner).collect::<Vec<_>>().join(", ");
+    let ring = (0..200).map(corner).collect::<Vec<_>>().join(", ");
     let hole = r#"[{"ring": [[1, 1], [2, 1], [1.5, 2]]}]"#;
     let limits = (0..9).map(|v| format!(r#"{{"vertex": {v}, "max_degree": 3}}"#));
     let limits = limits.collect::<Vec<_>>().join(", ");

@@ -150,31 +150,37 @@ fn short_and_interrupted_writes_give_the_same_bytes() {
     }
 }
 
-#[test]
-fn whichever_write_fails_its_error_is_told() {
-    // Large enough for sections of several blocks, and so several writes.
-    let (large, small) = (grid(110, 90), grid(4, 3));
+/// Each write fails that there is, or some of many.
+fn errors_of_writes_are_told(mesh: &TriMesh, most: Option<usize>) {
     for way in ways() {
-        for (mesh, most) in [(&large, None), (&small, Some(40))] {
-            let (_, calls) = write_to_faulty(mesh, way, None, most);
-            assert!(calls > 0);
-            // All of them where they are few, and some of many.
-            for at in (0..calls).step_by((calls / 4).max(1)).chain([calls - 1]) {
-                let kind = [ErrorKind::StorageFull, ErrorKind::BrokenPipe][at % 2];
-                let fault = Some((at, Fault::Kind(kind)));
-                match write_to_faulty(mesh, way, fault, most).0 {
-                    Err(WriteError::Io(error)) => assert_eq!(error.kind(), kind, "{way:?}"),
-                    other => unreachable!("{way:?}, write {at} of {calls}: {other:?}"),
+        let (_, calls) = write_to_faulty(mesh, way, None, most);
+        assert!(calls > 0);
+        for at in (0..calls).step_by((calls / 4).max(1)).chain([calls - 1]) {
+            let kind = [ErrorKind::StorageFull, ErrorKind::BrokenPipe][at % 2];
+            let fault = Some((at, Fault::Kind(kind)));
+            match write_to_faulty(mesh, way, fault, most).0 {
+                Err(WriteError::Io(error)) => assert_eq!(error.kind(), kind, "{way:?}"),
+                other => unreachable!("{way:?}, write {at} of {calls}: {other:?}"),
+            }
+            match write_to_faulty(mesh, way, Some((at, Fault::Nothing)), most).0 {
+                Err(WriteError::Io(error)) => {
+                    assert_eq!(error.kind(), ErrorKind::WriteZero, "{way:?}");
                 }
-                match write_to_faulty(mesh, way, Some((at, Fault::Nothing)), most).0 {
-                    Err(WriteError::Io(error)) => {
-                        assert_eq!(error.kind(), ErrorKind::WriteZero, "{way:?}");
-                    }
-                    other => unreachable!("{way:?}, write {at} of {calls}: {other:?}"),
-                }
+                other => unreachable!("{way:?}, write {at} of {calls}: {other:?}"),
             }
         }
     }
+}
+
+/// Large enough for sections of several blocks, and so several writes.
+#[test]
+fn whichever_write_of_a_large_mesh_fails_its_error_is_told() {
+    errors_of_writes_are_told(&grid(110, 90), None);
+}
+
+#[test]
+fn whichever_short_write_fails_its_error_is_told() {
+    errors_of_writes_are_told(&grid(4, 3), Some(40));
 }
 
 /// Reads a file that has these faults, and tells the calls it got.

@@ -169,7 +169,7 @@ const STARTS: [&[u8]; 5] = [
 ];
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(1500))]
+    #![proptest_config(ProptestConfig::with_cases(600))]
 
     #[test]
     fn no_damage_makes_a_reader_panic(

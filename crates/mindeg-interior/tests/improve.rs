@@ -164,7 +164,7 @@ fn meshes_with_faults_are_refused() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(ProptestConfig::with_cases(12))]
 
     #[test]
     fn any_delaunay_mesh_stays_valid(
