@@ -26,7 +26,7 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
     let output = &arguments.surface.output;
     let subject = opened(arguments)?;
     match subject {
-        Subject::Domain(domain) => mesh_of(&arguments.kinds.told(*domain)?, arguments, output),
+        Subject::Domain(domain) => mesh_of(&domain, arguments, output),
         Subject::Polygons(polygons) if polygons.polygons.len() > 1 => {
             if are_one_map(arguments) {
                 return interior::run_maps(arguments, &polygons);
@@ -34,20 +34,18 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
             if features::is_one_mesh(arguments) {
                 let parts = Parts::of(&polygons, features::SEPARATE)?;
                 return match &parts.domains[..] {
-                    [map] => mesh_of(&arguments.kinds.told(map.clone())?, arguments, output),
+                    [map] => mesh_of(map, arguments, output),
                     _ => {
                         arguments.kinds.refuse("several domains")?;
                         beside::run(&parts, arguments)
                     }
                 };
             }
-            features::run(arguments, &polygons, |domain, output| {
-                mesh_of(&arguments.kinds.told(domain.clone())?, arguments, output)
-            })
+            features::run(arguments, &polygons, |domain, output| mesh_of(domain, arguments, output))
         }
         Subject::Polygons(polygons) => {
             let output = features::outputs_of_one(arguments, &polygons)?;
-            mesh_of(&arguments.kinds.told(polygons.only()?)?, arguments, &output)
+            mesh_of(&polygons.only()?, arguments, &output)
         }
         Subject::Model(model) => model::run(&model::divided(*model, arguments)?, arguments),
         Subject::Mesh(mesh) => model::run(&model::of_mesh(&mesh, arguments)?, arguments),
@@ -91,6 +89,7 @@ fn mesh_of(domain: &Domain, arguments: &MeshArguments, output: &[PathBuf]) -> Re
     if let Some(wanted) = interior::wanted(arguments, domain)? {
         return interior::run(arguments, domain, &wanted, making);
     }
+    let domain = &arguments.kinds.told(std::slice::from_ref(domain))?[0];
     // Refuse bad options before the search for the mesh, which can take minutes.
     making.check(domain.placement(), domain.rings().triangle_count())?;
     let goal = arguments.goal.goal();

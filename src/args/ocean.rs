@@ -1,19 +1,24 @@
 //! What ocean models need of a mesh: open water, and depths.
 
-use super::values::{Length, length_with_unit, place, seconds};
+use super::values::{Length, distance, place, seconds};
 use crate::failure::Failure;
 use crate::interrupt::SESSION;
+use crate::terminal::say;
 use clap::Args;
-use mindeg::{DepthRules, Depths, Domain, OpenWater, Projection};
+use mindeg::glam::DVec2;
+use mindeg::{DepthRules, Depths, Domain, OpenWater, Opening, Projection};
+use mindeg_answers::numbers::count;
 use mindeg_files::Input;
+use mindeg_mesh::significant;
+use std::borrow::Cow;
 use std::path::PathBuf;
 
 /// Which parts of the boundary are open water.
 #[derive(Clone, Debug, Default, Args)]
 #[command(next_help_heading = "Ocean models")]
 pub(crate) struct BoundaryKinds {
-    /// Sides that are open water, by name, or box: those on the box around the domain (of its degrees, if projected).
-    /// The others are land, and holes islands. May be repeated
+    /// Sides that are open water, by name, or box: the longest stretch on the box around the domain (of its degrees, if
+    /// projected). The others are land, and holes islands. May be repeated
     #[arg(long, value_name = "box|NAME")]
     pub(crate) open: Vec<String>,
 
@@ -22,15 +27,15 @@ pub(crate) struct BoundaryKinds {
     #[arg(long, value_name = "x,y", num_args = 2, value_parser = place, allow_hyphen_values = true)]
     pub(crate) open_between: Vec<[f64; 2]>,
 
-    /// Shorter stretches of open water are land: bays that the box cuts, gaps between capes
-    #[arg(long, value_name = "LENGTH", value_parser = length_with_unit, allow_hyphen_values = true)]
+    /// Open all stretches on the box that are at least so long, 0 for all of them. Other stretches that are shorter are land, too
+    #[arg(long, value_name = "LENGTH", value_parser = distance, allow_hyphen_values = true)]
     pub(crate) least_opening: Option<Length>,
 }
 
 impl BoundaryKinds {
     /// Refuses open water where there is no single domain.
     pub(crate) fn refuse(&self, subject: &str) -> Result<(), Failure> {
-        if self.open.is_empty() && self.open_between.is_empty() {
+        if self.is_empty() {
             return Ok(());
         }
         Err(Failure::Input(format!(
@@ -38,15 +43,20 @@ impl BoundaryKinds {
         )))
     }
 
-    /// The domain with these kinds of sides.
-    pub(crate) fn told(&self, domain: Domain) -> Result<Domain, Failure> {
-        let mut domains = vec![domain];
-        self.tell(&mut domains)?;
-        Ok(domains.swap_remove(0))
+    fn is_empty(&self) -> bool {
+        self.open.is_empty() && self.open_between.is_empty()
     }
 
     /// Gives domains beside each other these kinds of sides.
-    pub(crate) fn tell(&self, domains: &mut Vec<Domain>) -> Result<(), Failure> {
+    pub(crate) fn told<'d>(&self, domains: &'d [Domain]) -> Result<Cow<'d, [Domain]>, Failure> {
+        if self.is_empty() {
+            return match self.least_opening {
+                None => Ok(Cow::Borrowed(domains)),
+                Some(_) => Err(Failure::input(
+                    "--least-opening is for open water: add --open or --open-between",
+                )),
+            };
+        }
         let part = |name: &String| match &**name {
             "box" => OpenWater::Box,
             name => OpenWater::Side(name.to_owned()),
@@ -58,18 +68,57 @@ impl BoundaryKinds {
             .map(part)
             .chain(self.open_between.chunks_exact(2).map(between))
             .collect();
-        if parts.is_empty() {
-            if self.least_opening.is_some() {
-                let problem = "--least-opening is for open water: add --open or --open-between";
-                return Err(Failure::input(problem));
-            }
-            return Ok(());
-        }
         let option = if self.open.is_empty() { "--open-between" } else { "--open" };
-        let least = self.least_opening.map_or(0.0, |least| least.value);
-        *domains = Domain::all_with_open_water(domains, &parts, least)
+        let least = self.least_opening.map(|least| least.value);
+        let is_projected = domains.iter().any(|domain| domain.projection().is_some());
+        let (new, openings) = Domain::all_with_open_water(domains, &parts, least)
             .map_err(|error| Failure::Input(format!("{option}: {error}")))?;
-        Ok(())
+        if let Some(text) = self.of_land(openings, is_projected) {
+            say(&text);
+        }
+        Ok(Cow::Owned(new))
+    }
+
+    /// What there is to say of stretches that were asked for and are land: all of them, with what opens them.
+    fn of_land(&self, openings: Vec<Opening>, is_projected: bool) -> Option<String> {
+        let length = |length: f64| match is_projected {
+            true if length >= 1000.0 => format!("{}km", significant(length / 1000.0, 3)),
+            true => format!("{}m", significant(length, 3)),
+            false => significant(length, 4),
+        };
+        let place = |at: DVec2| format!("{},{}", significant(at.x, 7), significant(at.y, 7));
+        let stretch = |it: &Opening| {
+            let [from, to] = it.ends.map(place);
+            format!("{} between {from} {to}", length(it.length))
+        };
+        let (open, mut land): (Vec<Opening>, Vec<Opening>) =
+            openings.into_iter().partition(|opening| opening.is_open);
+        land.sort_by(|a, b| b.length.total_cmp(&a.length));
+        let shorter = match self.least_opening {
+            Some(least) => format!("shorter than {}", length(least.value)),
+            None => "on the box that is not the longest".to_owned(),
+        };
+        let count = match land.len() {
+            0 => return None,
+            1 => format!("1 stretch {shorter} is"),
+            several => {
+                let shorter = shorter.replace("that is", "that are");
+                format!("{} stretches {shorter} are", count(several as u64))
+            }
+        };
+        let open = match &open[..] {
+            [] => "no stretch is open water".to_owned(),
+            [one] => format!("open water is {}", stretch(one)),
+            several => {
+                let texts: Vec<String> = several.iter().map(stretch).collect();
+                format!("open water is {}", texts.join(", "))
+            }
+        };
+        let all: Vec<String> = land.iter().map(stretch).collect();
+        Some(format!(
+            "{open}\n{count} land; --least-opening LENGTH opens all that are no shorter, --open-between x,y x,y one:\n  {}",
+            all.join("\n  ")
+        ))
     }
 }
 

@@ -158,17 +158,21 @@ fn with_depths(
     (mesh.with_depths(values), Some(words))
 }
 
-/// The domains with their boundaries conditioned, if that is wanted, and the changes.
+/// The domains with their boundaries conditioned, if that is wanted, and with their open water; and the changes.
 fn conditioned<'d>(
     arguments: &MeshArguments,
     domains: &'d [Domain],
 ) -> Result<(Cow<'d, [Domain]>, Option<ConditionAnswer>), Failure> {
-    let Some(angle) = arguments.condition else { return Ok((Cow::Borrowed(domains), None)) };
+    let Some(angle) = arguments.condition else {
+        return Ok((arguments.kinds.told(domains)?, None));
+    };
     let change = &arguments.change;
     let demands = change.demands(angle, arguments.domain.options.size, None);
     let (new, conditioned) = interior::condition_all(domains, &demands, &change.keep)
         .map_err(|(_, error)| Failure::input(error))?;
     let answer = ConditionAnswer::of(domains, &new, &conditioned);
+    // The coast changes as without open water, so one step gives the mesh of two.
+    let new = arguments.kinds.told(&new)?.into_owned();
     Ok((Cow::Owned(new), Some(answer)))
 }
 
@@ -245,8 +249,7 @@ pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Res
     arguments.refuse_goals_with_interior("--interior")?;
     let surface = &arguments.surface;
     let mut making = Making::new(surface, &surface.output, arguments.quiet, arguments.json)?;
-    let mut old = Parts::of(polygons, SEPARATE)?.domains;
-    arguments.kinds.tell(&mut old)?;
+    let old = Parts::of(polygons, SEPARATE)?.domains;
     let (domains, conditioned) = conditioned(arguments, &old)?;
     let projection = domains.first().and_then(Domain::projection).copied();
     making.unproject(projection.as_ref());

@@ -155,8 +155,14 @@ fn a_coast_in_degrees_becomes_a_grid_with_open_water_islands_and_depths() {
         let expected = 500.0 - 10.0 * bump(column, 7.0) - 20.0 * bump(row, 5.0);
         assert!((depth - expected).abs() < 1e-4, "({x}, {y}): {depth}, not {expected}");
     }
-    // Few long boundaries: every open node is on the box, and the islands are rings of their own.
-    assert!((1..=6).contains(&grid.open.len()), "{}", grid.open.len());
+    // Of the box the longest stretch is open, the others are told: every open node is on the box, and the islands are rings of their own.
+    assert_eq!(grid.open.len(), 1);
+    let told = "open water is 167km between 22.9597,37.1 24.3,37.5292\n4";
+    assert!(
+        words.contains(told)
+            && words.contains("stretches on the box that are not the longest are land"),
+        "{words}"
+    );
     for &node in grid.open.iter().flatten() {
         let [x, y, _] = grid.points[node];
         let off =
@@ -187,6 +193,13 @@ fn a_coast_in_degrees_becomes_a_grid_with_open_water_islands_and_depths() {
     ]);
     let finer = finer.json()["triangles"].as_u64().expect("a number");
     assert!(finer > 2 * grid.triangles.len() as u64, "{finer}");
+    // A least length instead opens all that are no shorter.
+    for (least, count) in [("0", 5), ("30km", 3)] {
+        let open = ["--open", "box", "--least-opening", least, "-o", &at("open.14")];
+        let run = mindeg([&["mesh", &at("sea.json"), "--interior"], &open[..]].concat());
+        assert_eq!(fort14(Path::new(&at("open.14"))).open.len(), count);
+        assert_eq!(run.errors.contains("2 stretches shorter than 30km are land"), count == 3);
+    }
     // Without its projection the file is in metres.
     mindeg(["mesh", &at("sea.json"), "--interior", "--project", "none", "-o", &at("metres.14")]);
     let metres = fort14(Path::new(&at("metres.14")));

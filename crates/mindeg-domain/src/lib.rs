@@ -43,6 +43,7 @@ mod model;
 mod name;
 mod noding;
 mod open_water;
+mod opening;
 mod outline;
 mod periodic;
 mod placement;
@@ -78,6 +79,7 @@ pub use model::{
     FaceGroup, FromMesh, Model, ModelEdge, ModelFace, ModelParts, ModelPlace, PLANAR_SHARE, Plane,
 };
 pub use open_water::OpenWater;
+pub use opening::Opening;
 pub use outline::{Outline, Ring};
 pub use periodic::{Periodic, PeriodicSide};
 pub use placement::{Placement, Walk};

@@ -6,6 +6,7 @@ use mindeg_mesh::{LineKind, listed};
 use crate::build::DomainBuilder;
 use crate::domain::Domain;
 use crate::error::{DomainError, Place};
+use crate::opening::{Asked, Opening, openings};
 use crate::outline::{Outline, Ring};
 use crate::side::{Intervals, Side};
 
@@ -31,7 +32,8 @@ impl Domain {
     ///
     /// Sides that have no name are called open, land or island, so that a file has few long boundaries; the open water of
     /// [`OpenWater::Box`] is called open whatever its sides were called. A kind that a side has stays, but for open water.
-    /// Stretches of the parts that are shorter than `least_length` together are not open.
+    /// Of the stretches that are on the box alone the longest is open: a box cuts bays and straits, too. With a `least_length` all
+    /// stretches are open that are no shorter. The others are land; all are told.
     ///
     /// # Errors
     ///
@@ -44,7 +46,8 @@ impl Domain {
     ///
     /// // A bay with its mouth in the south.
     /// let bay = Domain::from_rings([[[0.0, 0.0], [4.0, 0.0], [3.0, 2.0], [1.0, 1.5]]])?;
-    /// let bay = bay.with_open_water(&[OpenWater::Box], 0.0)?;
+    /// let (bay, openings) = bay.with_open_water(&[OpenWater::Box], None)?;
+    /// assert!(openings.len() == 1 && openings[0].is_open && openings[0].length == 4.0);
     /// let sides: Vec<_> = bay.sides().iter().map(|side| (side.name.as_deref(), side.kind)).collect();
     /// assert_eq!(sides[0], (Some("open"), Some(LineKind::Open)));
     /// assert!(sides[1..].iter().all(|side| *side == (Some("land"), Some(LineKind::Land))));
@@ -53,15 +56,16 @@ impl Domain {
     pub fn with_open_water(
         &self,
         parts: &[OpenWater],
-        least_length: f64,
-    ) -> Result<Self, DomainError> {
-        let mut new = Self::all_with_open_water(std::slice::from_ref(self), parts, least_length)?;
-        Ok(new.swap_remove(0))
+        least_length: Option<f64>,
+    ) -> Result<(Self, Vec<Opening>), DomainError> {
+        let all = Self::all_with_open_water(std::slice::from_ref(self), parts, least_length)?;
+        let (mut new, openings) = all;
+        Ok((new.swap_remove(0), openings))
     }
 
     /// [`with_open_water`](Self::with_open_water) of domains beside each other, such as seas that land parts: the box is that around all, sides of a
     /// name are open wherever they are, and the stretch between two points is on the one that is nearest to them. The
-    /// others have land and islands alone.
+    /// others have land and islands alone. Each has its own longest stretch.
     ///
     /// # Errors
     ///
@@ -69,8 +73,8 @@ impl Domain {
     pub fn all_with_open_water(
         domains: &[Self],
         parts: &[OpenWater],
-        least_length: f64,
-    ) -> Result<Vec<Self>, DomainError> {
+        least_length: Option<f64>,
+    ) -> Result<(Vec<Self>, Vec<Opening>), DomainError> {
         let around = |domain: &Self| {
             let bounds = domain.placement().bounds();
             [bounds.min, bounds.max]
@@ -80,10 +84,8 @@ impl Domain {
             .iter()
             .map(around)
             .fold(nothing, |[low, high], [min, max]| [low.min(min), high.max(max)]);
-        let mut marks: Vec<Vec<[bool; 2]>> = domains
-            .iter()
-            .map(|domain| vec![[false; 2]; domain.rings().vertex_count() as usize])
-            .collect();
+        let none = |domain: &Self| vec![Asked::default(); domain.rings().vertex_count() as usize];
+        let mut asked: Vec<Vec<Asked>> = domains.iter().map(none).collect();
         for part in parts {
             let nearest = match part {
                 OpenWater::Between(ends) => {
@@ -93,31 +95,38 @@ impl Domain {
                 _ => None,
             };
             let mut is_anywhere = false;
-            for (index, (domain, marks)) in domains.iter().zip(&mut marks).enumerate() {
+            for (index, (domain, asked)) in domains.iter().zip(&mut asked).enumerate() {
                 if nearest.is_some_and(|nearest| nearest != index) {
                     continue;
                 }
                 for edge in domain.edges_of(part, all) {
                     is_anywhere = true;
-                    let [is_open, is_of_box] = &mut marks[edge as usize];
-                    *is_open = true;
-                    *is_of_box |= *part == OpenWater::Box;
+                    let edge = &mut asked[edge as usize];
+                    match part {
+                        OpenWater::Box => edge.is_of_box = true,
+                        OpenWater::Side(_) | OpenWater::Between(_) => edge.by_place = true,
+                    }
                 }
             }
             if !is_anywhere {
                 return Err(nowhere(part, domains));
             }
         }
-        let opened = |(domain, marks): (&Self, Vec<[bool; 2]>)| domain.opened(marks, least_length);
-        domains.iter().zip(marks).map(opened).collect()
+        let mut found = Vec::new();
+        let mut opened = |(domain, mut asked): (&Self, Vec<Asked>)| {
+            // Where the box is open, sides have no names of their own, whether they are open or land.
+            let is_of_box: Vec<bool> = asked.iter().map(|edge| edge.is_of_box).collect();
+            found.extend(openings(domain, &mut asked, least_length));
+            let is_open = asked.iter().map(|edge| edge.is_open());
+            domain.opened(&is_open.zip(is_of_box).map(|(a, b)| [a, b]).collect::<Vec<_>>())
+        };
+        let new: Result<_, _> = domains.iter().zip(asked).map(&mut opened).collect();
+        Ok((new?, found))
     }
 
-    /// The domain with the marked edges open, and which of them are so by the box.
-    fn opened(&self, marks: Vec<[bool; 2]>, least_length: f64) -> Result<Self, DomainError> {
+    /// The domain with open edges: whether each one is, and whether it was asked to be so by the box.
+    fn opened(&self, marks: &[[bool; 2]]) -> Result<Self, DomainError> {
         let rings = self.rings();
-        let mut is_open: Vec<bool> = marks.iter().map(|mark| mark[0]).collect();
-        let is_of_box: Vec<bool> = marks.iter().map(|mark| mark[1]).collect();
-        self.close_short(&mut is_open, least_length);
         let mut new: Vec<Ring> = Vec::new();
         let mut is_split = false;
         for ring in 0..rings.ring_count() {
@@ -126,7 +135,7 @@ impl Domain {
                 let given = &self.sides()[side];
                 let first = rings.corner(side);
                 let edges = first..first + rings.intervals(side);
-                let mark = |edge: u32| [is_open[edge as usize], is_of_box[edge as usize]];
+                let mark = |edge: u32| marks[edge as usize];
                 let mut starts: Vec<u32> = vec![first];
                 starts.extend(edges.clone().skip(1).filter(|edge| mark(*edge) != mark(edge - 1)));
                 is_split |= starts.len() > 1;
@@ -160,28 +169,6 @@ impl Domain {
             return self.with_sides(new.into_iter().flat_map(|ring| ring.sides).collect());
         }
         self.of_new_rings(new)
-    }
-
-    /// Closes stretches of open edges that are shorter.
-    fn close_short(&self, is_open: &mut [bool], least_length: f64) {
-        let rings = self.rings();
-        for range in rings.rings() {
-            // From behind an edge that is not open, each stretch comes whole.
-            let Some(closed) = range.clone().find(|edge| !is_open[*edge as usize]) else {
-                continue;
-            };
-            let mut edges: Vec<u32> = range.clone().collect();
-            edges.rotate_left((closed - range.start) as usize);
-            let is_alike = |a: &u32, b: &u32| is_open[*a as usize] == is_open[*b as usize];
-            let stretches: Vec<&[u32]> = edges.chunk_by(is_alike).collect();
-            for stretch in stretches {
-                let point = |vertex: u32| self.placement().point(vertex);
-                let length = |edge: &u32| point(*edge).distance(point(rings.next(*edge)));
-                if stretch.iter().map(length).sum::<f64>() < least_length {
-                    stretch.iter().for_each(|edge| is_open[*edge as usize] = false);
-                }
-            }
-        }
     }
 
     fn of_new_rings(&self, rings: Vec<Ring>) -> Result<Self, DomainError> {
@@ -336,7 +323,7 @@ mod tests {
         let open = LineKind::Open;
         let (land, island) = (LineKind::Land, ("island".to_owned(), LineKind::Island, 3));
         let told = |name: &str, kind, count| (name.to_owned(), kind, count);
-        let found = bay().with_open_water(&[OpenWater::Box], 0.0).unwrap();
+        let (found, _) = bay().with_open_water(&[OpenWater::Box], Some(0.0)).unwrap();
         assert_eq!(
             sides(&found),
             [told("land", land, 2), told("open", open, 1), told("open", open, 3), island.clone()]
@@ -350,7 +337,7 @@ mod tests {
         assert_eq!(sorted(&found), sorted(&bay()));
         // From the upper left corner counter-clockwise to the lower right one.
         let between = OpenWater::Between([[-0.1, 3.2], [4.1, 0.2]].map(DVec2::from));
-        let found = bay().with_open_water(&[between], 0.0).unwrap();
+        let (found, _) = bay().with_open_water(&[between], None).unwrap();
         assert_eq!(
             sides(&found),
             [told("land", land, 3), told("open", open, 1), told("open", open, 2), island]
@@ -362,7 +349,8 @@ mod tests {
             vec![Side::count(2), named, Side::count(2), Side::count(1)],
         )
         .unwrap();
-        let found = domain.with_open_water(&[OpenWater::Side("strait".to_owned())], 0.0).unwrap();
+        let strait = OpenWater::Side("strait".to_owned());
+        let (found, _) = domain.with_open_water(&[strait], None).unwrap();
         assert!(sides(&found).contains(&told("strait", open, 2)), "{:?}", sides(&found));
         assert_eq!(sides(&found).iter().filter(|side| side.1 == open).count(), 1);
     }
@@ -376,7 +364,7 @@ mod tests {
         // The one in the middle is on no side of the box around all.
         let domains = [square(0.0, 0.0), square(2.0, 2.0), square(4.0, 4.0)];
         let open = |parts: &[OpenWater]| -> Vec<u32> {
-            let found = Domain::all_with_open_water(&domains, parts, 0.0).unwrap();
+            let (found, _) = Domain::all_with_open_water(&domains, parts, None).unwrap();
             let of = |domain: &Domain| -> u32 {
                 let sides = sides(domain).into_iter();
                 sides.filter(|side| side.1 == LineKind::Open).map(|side| side.2).sum()
@@ -388,21 +376,46 @@ mod tests {
         let between = OpenWater::Between([[2.1, 1.9], [3.1, 1.9]].map(DVec2::from));
         assert_eq!(open(&[between]), [0, 1, 0]);
         let nix = [OpenWater::Side("nix".to_owned())];
-        let error = Domain::all_with_open_water(&domains, &nix, 0.0).unwrap_err().to_string();
+        let error = Domain::all_with_open_water(&domains, &nix, None).unwrap_err().to_string();
         assert!(error.contains("no side is called \"nix\""), "{error}");
     }
 
     #[test]
     fn short_stretches_are_closed() {
         // One stretch around the first point, 10 long.
-        let found = |least: f64| bay().with_open_water(&[OpenWater::Box], least).unwrap();
+        let found = |least| bay().with_open_water(&[OpenWater::Box], Some(least)).unwrap().0;
         let open = |domain: &Domain| -> u32 {
             sides(domain).iter().filter(|side| side.1 == LineKind::Open).map(|side| side.2).sum()
         };
         assert_eq!([open(&found(9.9)), open(&found(10.1))], [4, 0]);
         let between = |ends: [[f64; 2]; 2]| OpenWater::Between(ends.map(DVec2::from));
         let parts = [between([[0.0, 0.0], [2.0, 0.0]]), between([[4.0, 0.0], [4.0, 3.0]])];
-        assert_eq!(open(&bay().with_open_water(&parts, 2.5).unwrap()), 1);
+        assert_eq!(open(&bay().with_open_water(&parts, Some(2.5)).unwrap().0), 1);
+    }
+
+    #[test]
+    fn of_a_box_the_longest_stretch_is_open_and_all_are_told() {
+        // Mouths of 2, 3 and 1 in the south, in the east, and in the north.
+        let corners = [[0.0, 0.0], [2.0, 0.0], [3.0, 1.0], [4.0, 1.0], [4.0, 4.0], [3.0, 3.0]];
+        let ring = [&corners[..], &[[2.0, 4.0], [1.0, 4.0], [0.5, 2.0]]].concat();
+        let sea = Domain::from_rings([ring]).unwrap();
+        let told = |parts: &[OpenWater], least| -> Vec<(f64, bool)> {
+            let (domain, openings) = sea.with_open_water(parts, least).unwrap();
+            let open = sides(&domain).iter().filter(|side| side.1 == LineKind::Open).count();
+            assert_eq!(open, openings.iter().filter(|opening| opening.is_open).count());
+            openings.iter().map(|opening| (opening.length, opening.is_open)).collect()
+        };
+        let of_box = told(&[OpenWater::Box], None);
+        assert_eq!(of_box, [(3.0, true), (1.0, false), (2.0, false)]);
+        let all = told(&[OpenWater::Box], Some(0.0));
+        assert_eq!(all, [(3.0, true), (1.0, true), (2.0, true)]);
+        assert!(told(&[OpenWater::Box], Some(1.5))[1..] == [(1.0, false), (2.0, true)]);
+        // What is asked for by its place is open, and the box has its longest stretch beside it.
+        let north = OpenWater::Between([[2.0, 4.0], [1.0, 4.0]].map(DVec2::from));
+        let both = told(&[OpenWater::Box, north], None);
+        assert_eq!(both, [(3.0, true), (1.0, true), (2.0, false)]);
+        let (_, openings) = sea.with_open_water(&[OpenWater::Box], None).unwrap();
+        assert_eq!(openings[1].ends, [[2.0, 4.0], [1.0, 4.0]].map(DVec2::from));
     }
 
     #[test]
@@ -415,7 +428,7 @@ mod tests {
             (OpenWater::Side("nix".to_owned()), "there are side 1"),
             (OpenWater::Between([one; 2]), "nearest to one point"),
         ] {
-            let error = diamond.with_open_water(&[part], 0.0).unwrap_err().to_string();
+            let error = diamond.with_open_water(&[part], None).unwrap_err().to_string();
             assert!(error.contains(words), "{error}");
         }
     }
