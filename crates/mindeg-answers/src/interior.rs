@@ -65,7 +65,7 @@ pub struct InteriorAnswer {
     pub coarse_sides: Vec<CoarseAnswer>,
 }
 
-/// The angles of all triangles beside the limits of their places, which are at most [`LocalShares::MOST`].
+/// The angles of all triangles beside the limits of their places, of which at most [`LocalShares::most`] degrees count.
 #[derive(Clone, Debug, Serialize)]
 pub struct LocalAnswer {
     /// The least share that a triangle has of its limit, at most 1.
@@ -74,7 +74,7 @@ pub struct LocalAnswer {
     vertex: u32,
     position: [f64; 2],
     limit: f64,
-    /// `corner`: the edges at the vertex; `gap`: edges that face each other; `none`: [`LocalShares::MOST`].
+    /// `corner`: the edges at the vertex; `gap`: edges that face each other; `none`: [`LocalShares::most`].
     decided_by: &'static str,
     /// The 1st percentile of the shares.
     percentile_1: f64,
@@ -129,7 +129,7 @@ impl From<&CornerTradeOff> for CornerAnswer {
 fn decided_by(local: &LocalShares) -> &'static str {
     match local {
         LocalShares { is_tent: true, .. } => "gap",
-        LocalShares { limit, .. } if *limit < LocalShares::MOST => "corner",
+        LocalShares { limit, most, .. } if limit < most => "corner",
         _ => "none",
     }
 }
@@ -245,10 +245,7 @@ pub fn grading(report: &InteriorReport) -> String {
 pub fn local_limits(report: &InteriorReport) -> String {
     let local = &report.local;
     if local.worst > 0.9995 {
-        return format!(
-            "Each triangle reaches the limit of its place (at most {}°).",
-            LocalShares::MOST
-        );
+        return format!("Each triangle reaches the limit of its place (at most {}°).", local.most);
     }
     let [x, y] = local.at.to_array().map(four_digits);
     let decides = match decided_by(local) {
@@ -264,7 +261,7 @@ pub fn local_limits(report: &InteriorReport) -> String {
     format!(
         "Of the limit of its place (at most {}°) each triangle reaches {} or more, the least at vertex {} at ({x}, {y}) \
          (limit {}{decides}); 99 of 100 reach {}; {below} below 90%.",
-        LocalShares::MOST,
+        local.most,
         percent(local.worst),
         local.vertex,
         steady_angle(local.limit),
@@ -424,6 +421,8 @@ mod tests {
             local_limits(&report),
             "Each triangle reaches the limit of its place (at most 35°)."
         );
+        report.local.most = 40.0;
+        assert!(local_limits(&report).ends_with("(at most 40°)."));
         report.local.worst = 0.5;
         report.local.limit = 20.0;
         report.local.below = 2;

@@ -20,7 +20,7 @@ use crate::stage::Stage;
 use crate::star::Stars;
 use crate::start::Start;
 use crate::triangle::SQRT_3;
-use crate::verdict::{Gain, check_target, floor, gain, is_enough, is_large};
+use crate::verdict::{Gain, check_target, counted, floor, gain, is_enough, is_large};
 use glam::DVec2;
 use mindeg_domain::{Prefer, Size, SizeAt};
 use mindeg_mesh::Progress;
@@ -151,6 +151,7 @@ pub fn generate(
             goals: &goals,
             stars: &stars,
             limits,
+            most: counted(options),
         };
         let limits_at = |broken: &[Violation]| {
             let has = degrees_at_boundary(broken, |v| v);

@@ -16,7 +16,7 @@ use crate::stage::Stage;
 use crate::star::Stars;
 use crate::start::Start;
 use crate::triangle::{SQRT_3, doubled_area};
-use crate::verdict::{check_target, floor, is_enough, rank};
+use crate::verdict::{check_target, counted, floor, is_enough, rank};
 use glam::DVec2;
 use mindeg_domain::Prefer;
 use mindeg_mesh::Progress;
@@ -235,6 +235,7 @@ impl Input {
             goals: &self.mesh.goals,
             stars: &self.stars,
             limits: self.limits,
+            most: counted(options),
         };
         measure(points, triangles, &wanted, &goal, limits_at)
     }

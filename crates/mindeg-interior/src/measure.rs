@@ -20,6 +20,8 @@ pub(crate) struct Wanted<'a> {
     pub(crate) goals: &'a [Goal],
     pub(crate) stars: &'a Stars,
     pub(crate) limits: Limits,
+    /// No limit of a place counts for more than this, in degrees.
+    pub(crate) most: f64,
 }
 
 /// Measures a mesh. `index` gives the index of a vertex among those that stay; `limits_at` the limits if vertices have
@@ -27,7 +29,7 @@ pub(crate) struct Wanted<'a> {
 pub(crate) fn measure(
     points: &[DVec2],
     triangles: &[[u32; 3]],
-    Wanted { interior, goals, stars, limits }: &Wanted<'_>,
+    Wanted { interior, goals, stars, limits, most }: &Wanted<'_>,
     index_of: impl Fn(u32) -> u32,
     limits_at: impl Fn(&[Violation]) -> Limits,
 ) -> InteriorReport {
@@ -72,7 +74,7 @@ pub(crate) fn measure(
     let mut boundary = (u32::MAX, 0);
     let mut interior_points = 0;
     let mut corner_list = Vec::new();
-    let mut local = vec![ENOUGH; points.len()];
+    let mut local = vec![*most; points.len()];
     let mut least_of_edges = f64::INFINITY;
     let together = together_bounds(points, &counts, goals, stars, &least_at, &index_of);
     for (vertex, count) in (0..).zip(counts).filter(|(_, count)| *count > 0) {
@@ -85,7 +87,7 @@ pub(crate) fn measure(
                 true => stars.limit(own, Some(count)),
                 false => goal.limit,
             };
-            local[vertex as usize] = ENOUGH.min(reached).min(goal.tents);
+            local[vertex as usize] = most.min(reached).min(goal.tents);
             if goal.tents < MOST {
                 least_of_edges = least_of_edges.min(goal.tents);
             }
@@ -123,7 +125,7 @@ pub(crate) fn measure(
     let breaks_limit = violations.iter().any(|violation| violation.is_boundary);
     let angle_limit = if breaks_limit { limits_at(&violations).angle() } else { limits.angle() };
     let angle_limit = angle_limit.min(least_of_edges);
-    let (mut local, shares) = local_shares(triangles, &angles, &local);
+    let (mut local, shares) = local_shares(triangles, &angles, &local, *most);
     local.at = points.get(local.vertex as usize).copied().unwrap_or_default();
     local.is_tent = goal(local.vertex).is_some_and(|goal| goal.tents <= local.limit);
     InteriorReport {
@@ -231,8 +233,14 @@ fn trade_off(
     Some(angles)
 }
 
-/// The shares of triangles with these angles, if vertices have these limits: the measures, and all of them.
-fn local_shares(triangles: &[[u32; 3]], angles: &[f64], limits: &[f64]) -> (LocalShares, Vec<f64>) {
+/// The shares of triangles with these angles, if vertices have these limits, of which at most `most` degrees count:
+/// the measures, and all of them.
+fn local_shares(
+    triangles: &[[u32; 3]],
+    angles: &[f64],
+    limits: &[f64],
+    most: f64,
+) -> (LocalShares, Vec<f64>) {
     let limit = |v: &u32| limits[*v as usize];
     let mut worst = (f64::INFINITY, 0);
     let mut shares = Vec::with_capacity(angles.len());
@@ -248,11 +256,19 @@ fn local_shares(triangles: &[[u32; 3]], angles: &[f64], limits: &[f64]) -> (Loca
     }
     let below = shares.iter().filter(|share| **share < 0.9).count();
     let percentile = first_percentile(&mut shares);
-    let limit = limits.get(worst.1 as usize).copied().unwrap_or(ENOUGH);
+    let limit = limits.get(worst.1 as usize).copied().unwrap_or(most);
     let (at, is_tent) = (DVec2::ZERO, false);
     let worst_share = worst.0.min(1.0);
-    let local =
-        LocalShares { worst: worst_share, vertex: worst.1, at, limit, is_tent, percentile, below };
+    let local = LocalShares {
+        worst: worst_share,
+        vertex: worst.1,
+        at,
+        limit,
+        is_tent,
+        most,
+        percentile,
+        below,
+    };
     (local, shares)
 }
 
@@ -290,7 +306,8 @@ mod tests {
             let mut triangles = [[3, 0, 2], [0, 1, 2]];
             triangles.iter_mut().for_each(|triangle| triangle.rotate_left(turn));
             let stars = Stars::default();
-            let wanted = Wanted { interior: 5..=7, goals: &[], stars: &stars, limits };
+            let wanted =
+                Wanted { interior: 5..=7, goals: &[], stars: &stars, limits, most: ENOUGH };
             let report = measure(&points, &triangles, &wanted, |v| v, |_| limits);
             let [small, large] = [libm::atan2(2.0, 4.0), libm::atan2(4.0, 4.0)];
             let least = (large - small).to_degrees();
@@ -332,7 +349,13 @@ mod tests {
             of(30.0)
         };
         let triangles = [[3, 0, 2], [0, 1, 2]];
-        let wanted = Wanted { interior: 1..=7, goals: &[goal], stars: &stars, limits: of(10.0) };
+        let wanted = Wanted {
+            interior: 1..=7,
+            goals: &[goal],
+            stars: &stars,
+            limits: of(10.0),
+            most: ENOUGH,
+        };
         let report = measure(&points, &triangles, &wanted, |v| v, limits_at);
         assert_eq!((report.limits.angle(), report.angle_limit), (10.0, 30.0));
         assert_eq!(report.share_of_limit, report.min_angle / 30.0);

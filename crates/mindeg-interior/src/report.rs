@@ -24,8 +24,8 @@ pub struct Violation {
 /// The angles of all triangles beside the limits of their places.
 ///
 /// A triangle's share is its minimum angle over the least limit at its vertices ([fan, tent](crate::limits)), which is
-/// the one of the degree that the vertex has where that is above its limit; at most 35°
-/// count, and a share of 1.
+/// the one of the degree that the vertex has where that is above its limit; at most 35°, or a
+/// greater target angle up to 40°, count, and a share of 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LocalShares {
     /// The least share.
@@ -38,6 +38,8 @@ pub struct LocalShares {
     pub limit: f64,
     /// True if edges near it decide it: two that face each other, or an edge and the fans at both of its ends; not the fan at the vertex.
     pub is_tent: bool,
+    /// No limit counts for more than this, in degrees: [`LocalShares::MOST`], or a greater target angle up to 40.
+    pub most: f64,
     /// The 1st percentile of the shares.
     pub percentile: f64,
     /// The number of triangles below 0.9.
@@ -45,7 +47,7 @@ pub struct LocalShares {
 }
 
 impl LocalShares {
-    /// No limit counts for more than this, in degrees.
+    /// No limit counts for more than this unasked, in degrees.
     pub const MOST: f64 = 35.0;
 }
 

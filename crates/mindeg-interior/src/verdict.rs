@@ -1,5 +1,6 @@
 //! Which of several meshes is better, and when one is good enough.
 
+use crate::goal::MOST;
 use crate::limits::Limits;
 use crate::options::{InteriorError, Options};
 use crate::report::{ENOUGH, InteriorReport};
@@ -33,6 +34,11 @@ pub(crate) fn floor(options: &Options) -> f64 {
 /// The angle from which on nothing is left to be desired.
 pub(crate) fn enough(options: &Options) -> f64 {
     options.wanted.target_angle.unwrap_or(ENOUGH)
+}
+
+/// No limit of a place counts for more than this.
+pub(crate) fn counted(options: &Options) -> f64 {
+    enough(options).clamp(ENOUGH, MOST)
 }
 
 /// The proven limit that counts, and the vertex that decides it: angles that are preferred may cost degrees.
