@@ -66,7 +66,7 @@ class Domain(_mindeg._Domain):
         return Domain, (self.to_json(),)
 
     @shows_its_options(MeshOptions)
-    def mesh(self, *, interior: bool | None = None, **options: Unpack[MeshOptions]) -> _mindeg.Mesh:
+    def mesh(self, *, interior: bool | None = None, preset: str | None = None, **options: Unpack[MeshOptions]) -> _mindeg.Mesh:
         """The mesh of least degree, or the one that a goal asks for; or, with ``interior=True``, a mesh with points inside.
 
         Of the boundary points alone: ``keep_angle=0.95`` or ``"95%"`` gives the least degree that keeps this share of Delaunay's
@@ -77,7 +77,8 @@ class Domain(_mindeg._Domain):
         background mesh, a function that takes an (n, 2) array and gives n sizes, a dict as in JSON, or a list of these;
         ``fixed_points`` are rows x, y; ``docs/interior.md`` explains all. ``report`` of the mesh has what was reached.
 
-        Without ``interior``, the domain's JSON decides.
+        Without ``interior``, the domain's JSON decides. A mesh that breaks a rule of ``preset``, a program of ``mindeg.PRESETS``,
+        is a ``ValueError`` that names the place.
         """
         goal, wanted, reading = separated(options)
         for key in reading:
@@ -86,7 +87,7 @@ class Domain(_mindeg._Domain):
             from ._sizes import given_sizes
 
             wanted["sizes"] = given_sizes(wanted["sizes"], self.points)
-        return self._mesh(wish(interior, goal, wanted))
+        return self._mesh(wish(interior, preset, goal, wanted))
 
     @shows_its_options()
     def condition(

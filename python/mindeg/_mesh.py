@@ -23,6 +23,7 @@ def mesh(
     source: str | os.PathLike[str] | Mapping[str, Any] | npt.ArrayLike | Any,
     *,
     interior: bool | None = None,
+    preset: str | None = None,
     merge_coplanar: bool = False,
     planar_tolerance: float | None = None,
     effort: float = 1.0,
@@ -40,7 +41,7 @@ def mesh(
       long to look for a smaller degree, as a multiple of what is usual. ``docs/models.md`` explains models.
     """
     goal, wanted, reading = separated(options)
-    wished = wish(interior, goal, {} if "sizes" in wanted else wanted)
+    wished = wish(interior, preset, goal, {} if "sizes" in wanted else wanted)
     of_model = {"merge_coplanar": merge_coplanar, "planar_tolerance": planar_tolerance, "effort": effort}
     if isinstance(source, _mindeg.Mesh):
         for key in reading:
@@ -52,17 +53,17 @@ def mesh(
     is_called = callable(sizes) or isinstance(sizes, (list, tuple)) and any(callable(size) for size in sizes)
     if path is None and text is None:
         domain = source if isinstance(source, Domain) and not reading else Domain(source, **reading)
-        return domain.mesh(interior=interior, **goal, **wanted)
+        return domain.mesh(interior=interior, preset=preset, **goal, **wanted)
     if is_called:
         try:
             domain = Domain(source, **reading)
         except ValueError as fault:
             raise ValueError(f"sizes: a function is for a single domain, and there is none: {fault}") from None
-        return domain.mesh(interior=interior, **goal, **wanted)
+        return domain.mesh(interior=interior, preset=preset, **goal, **wanted)
     if sizes is not None:
         from ._sizes import given_sizes
 
-        wished = wish(interior, goal, {**wanted, "sizes": given_sizes(sizes, None)})
+        wished = wish(interior, preset, goal, {**wanted, "sizes": given_sizes(sizes, None)})
     if path is None and not is_in_degrees(source):
         reading = {"project": "none", **reading}
     made, notes = _mindeg._mesh_of_file(reading_of(path, text, **reading), wished, of_model)

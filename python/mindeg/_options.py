@@ -103,11 +103,11 @@ def separated(options: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, Any
     return found  # type: ignore[return-value]
 
 
-def wish(interior: bool | None, goal: Mapping[str, Any], wanted: Mapping[str, Any]) -> dict[str, Any]:
+def wish(interior: bool | None, preset: str | None, goal: Mapping[str, Any], wanted: Mapping[str, Any]) -> dict[str, Any]:
     """The mesh that is wanted, as the library reads it."""
     if interior is not None and not isinstance(interior, bool):
         raise TypeError(f"interior is {interior!r}; give True or False, and options such as growth beside it")
-    return {"interior": interior, "goal": dict(goal), "options": as_json(wanted)}
+    return {"interior": interior, "goal": dict(goal), "options": as_json(wanted), "preset": preset}
 
 
 def as_json(wanted: Mapping[str, Any]) -> str:

@@ -107,6 +107,23 @@ def test_the_json_of_a_domain_decides_unless_the_caller_does(tmp_path):
         assert len(mesh.points) == 28
 
 
+def test_the_rules_of_a_program_must_be_kept(tmp_path):
+    fan = {"rectangle": {"width": 4, "height": 3}, "sides": [{"intervals": n} for n in (30, 1, 1, 1)]}
+    path = tmp_path / "fan.json"
+    path.write_text(json.dumps(fan))
+    cup = mindeg.Mesh([(0, 0, 0), (4, 0, 0), (4, 3, 0), (0, 3, 0)], [(0, 1, 2), (0, 2, 3)])
+    broken = r"preset swan: vertex \d+ has \d+ triangles, above 10.* \(counted from 0\)"
+    for call in (mindeg.Domain(fan).mesh, lambda **rules: mindeg.mesh(fan, **rules), lambda **rules: mindeg.mesh(path, **rules)):
+        with pytest.raises(ValueError, match=broken):
+            call(preset="swan")
+        assert call(preset="adcirc") == call()
+        with pytest.raises(ValueError, match='preset is "roms"; give one of adcirc'):
+            call(preset="roms")
+    with pytest.raises(ValueError, match="preset sms: .*angle"):
+        mindeg.mesh(cup, size=0.1, effort=0.1, preset="sms")
+    assert mindeg.mesh(SQUARE, size=0.5, interior=True, preset="swan").report["violations"] == []
+
+
 @pytest.mark.parametrize(
     ("options", "fault", "message"),
     [

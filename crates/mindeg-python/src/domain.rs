@@ -71,7 +71,8 @@ impl Domain {
 
     /// The mesh that is wished for; the package names the options.
     fn _mesh(&self, py: Python<'_>, wish: Wish<'_>) -> PyResult<Mesh> {
-        wish.mesh_of(py, &self.inner)
+        let demands = wish.demands()?;
+        wish.mesh_of(py, &self.inner)?.keeping(&demands)
     }
 
     /// The conditioned domain as JSON, and the changes; the package has the defaults.

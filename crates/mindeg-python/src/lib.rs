@@ -5,6 +5,7 @@
 
 mod answers;
 mod arrays;
+mod demands;
 mod dict;
 mod domain;
 mod interior;

@@ -7,6 +7,7 @@ use std::sync::{Arc, OnceLock};
 use mindeg::glam::DVec3;
 use mindeg::quality::TriangleQuality;
 use mindeg::{Group, Mesh as AnyMesh, Positions, TriMesh};
+use mindeg_answers::demands::Demands;
 use mindeg_answers::interior::InteriorAnswer;
 use mindeg_files::{Input, Session, svg};
 use mindeg_mesh::{ByName, PeriodicLine, filled};
@@ -66,6 +67,15 @@ impl Mesh {
     /// The mesh as a list, with all that names parts of it.
     pub(crate) fn list(&self) -> PyResult<TriMesh> {
         TriMesh::of(&*self.mesh).map_err(value_error)
+    }
+
+    /// The mesh, if it keeps the rules of a program that are among the demands.
+    pub(crate) fn keeping(self, demands: &Demands) -> PyResult<Self> {
+        let Some(preset) = demands.preset else { return Ok(self) };
+        match preset.broken_by(&self.list()?) {
+            Some(broken) => Err(value_error(format!("{broken} (counted from 0)"))),
+            None => Ok(self),
+        }
     }
 
     fn segments(&self, line: &mindeg::Line) -> Vec<[u32; 2]> {

@@ -137,6 +137,17 @@ pub(crate) fn mesh_of_file(
     py: Python<'_>,
     given: Given,
     wish: Wish<'_>,
+    of_model: OfModel,
+) -> PyResult<(Mesh, Vec<String>)> {
+    let demands = wish.demands()?;
+    let (mesh, notes) = mesh_of_content(py, &given, &wish, of_model)?;
+    Ok((mesh.keeping(&demands)?, notes))
+}
+
+fn mesh_of_content(
+    py: Python<'_>,
+    given: &Given,
+    wish: &Wish<'_>,
     mut of_model: OfModel,
 ) -> PyResult<(Mesh, Vec<String>)> {
     let read = given.options()?;
@@ -149,7 +160,7 @@ pub(crate) fn mesh_of_file(
         |error: &dyn ToString| value_error(format!("{}: {}", input.name(), error.to_string()));
     match content {
         Content::Polygons(polygons) if polygons.polygons.len() > 1 && given.feature.is_none() => {
-            mesh_of_polygons(py, &polygons, &wish)
+            mesh_of_polygons(py, &polygons, wish)
         }
         Content::Polygons(polygons) => {
             let domain = polygons.only().map_err(file_error)?;
@@ -167,13 +178,13 @@ pub(crate) fn mesh_of_file(
                 Some(size) => model.divided(&Side::size(size)).map_err(|error| wrong(&error))?,
                 None => model,
             };
-            Ok((mesh_of_model(py, &model, &wish, &of_model)?, Vec::new()))
+            Ok((mesh_of_model(py, &model, wish, &of_model)?, Vec::new()))
         }
         Content::Mesh(mesh) => {
             // A glTF has triangles, of which its faces are made.
             let is_obj = given.path.as_deref().and_then(Format::of_path) == Some(Format::Obj);
             of_model.merge_coplanar |= !is_obj;
-            Ok((mesh_of_faces(py, &mesh, given.size, &wish, &of_model)?, Vec::new()))
+            Ok((mesh_of_faces(py, &mesh, given.size, wish, &of_model)?, Vec::new()))
         }
     }
 }
@@ -188,7 +199,8 @@ pub(crate) fn mesh_of_mesh(
     wish: Wish<'_>,
     of_model: OfModel,
 ) -> PyResult<Mesh> {
-    mesh_of_faces(py, &mesh.get().list()?, size, &wish, &of_model)
+    let demands = wish.demands()?;
+    mesh_of_faces(py, &mesh.get().list()?, size, &wish, &of_model)?.keeping(&demands)
 }
 
 fn mesh_of_faces(

@@ -2,15 +2,15 @@
 
 use mindeg::inspection::{Inspection, InspectionOptions};
 use mindeg::verify::{SurfaceRules, optimality, surface, triangulation};
-use mindeg_answers::demands::Demands;
 use mindeg_answers::inspected::InspectionReport;
-use mindeg_answers::preset::{PRESETS, Preset};
+use mindeg_answers::preset::PRESETS;
 use mindeg_answers::surface::SurfaceAnswer;
 use mindeg_answers::verify::{VerifyAnswer, VerifyDemands};
 use mindeg_mesh::Bounds;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+use crate::demands::demands;
 use crate::dict::dict;
 use crate::domain::Domain;
 use crate::mesh::{Mesh, tri_mesh};
@@ -77,24 +77,6 @@ pub(crate) fn inspect<'py>(
     let report = dict(py, &report)?;
     report.set_item("failed", failed)?;
     Ok(report)
-}
-
-/// What a mesh must keep, by keyword arguments.
-pub(crate) fn demands(
-    max_degree: Option<u32>,
-    target_angle: Option<f64>,
-    preset: Option<&str>,
-) -> PyResult<Demands> {
-    if let Some(angle) = target_angle.filter(|angle| !(0.0..=60.0).contains(angle)) {
-        return Err(value_error(format!("target_angle is {angle}; give degrees from 0 to 60")));
-    }
-    let preset = preset.map(|name| -> PyResult<Preset> {
-        PRESETS.iter().find(|preset| preset.name == name).ok_or_else(|| {
-            let names: Vec<&str> = PRESETS.iter().map(|preset| preset.name).collect();
-            value_error(format!("preset is \"{name}\"; give one of {}", names.join(", ")))
-        })
-    });
-    Ok(Demands { max_degree, target_angle, preset: preset.transpose()? })
 }
 
 /// Whether a mesh triangulates a domain, or keeps the surface of a part, judged by code that shares nothing with what

@@ -3,12 +3,14 @@
 use std::borrow::Cow;
 
 use mindeg::{Domain, GOALS, Goal, InnerPoint, Interior};
+use mindeg_answers::demands::Demands;
 use mindeg_answers::interior::InteriorAnswer;
 use mindeg_answers::mesh::found_by;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::{Map, Value};
 
+use crate::demands::demands;
 use crate::dict::dict;
 use crate::interior;
 use crate::mesh::{Facts, Mesh};
@@ -23,6 +25,8 @@ pub(crate) struct Wish<'py> {
     /// The options of points inside, in JSON.
     options: String,
     goal: Bound<'py, PyDict>,
+    /// The program whose rules the mesh must keep.
+    preset: Option<String>,
 }
 
 impl Wish<'_> {
@@ -46,6 +50,11 @@ impl Wish<'_> {
             }
         }
         Ok(has_interior)
+    }
+
+    /// What the mesh must keep.
+    pub(crate) fn demands(&self) -> PyResult<Demands> {
+        demands(None, None, self.preset.as_deref())
     }
 
     pub(crate) fn goal(&self) -> PyResult<Goal> {
