@@ -9,7 +9,7 @@ use crate::domain::{from_options, parts};
 use crate::failure::Failure;
 use crate::interrupt::{SESSION, clean_up_on_interrupt};
 use crate::making::wrote;
-use crate::provenance::provenance;
+use crate::provenance::provenance_of;
 use crate::terminal::say;
 use comparing::{check, compared};
 use mindeg::Domain;
@@ -68,7 +68,8 @@ fn run_one(arguments: &CompareArguments, options: &CompareOptions) -> Result<(),
         reports.iter().map(|path| outputs.open(path)).collect::<Result<_, _>>()?;
 
     let comparison = compared(&domain, options, arguments.quiet)?;
-    let comparison = comparison.made_by(provenance(arguments.files.first().map(PathBuf::as_path)));
+    let file = arguments.files.first().map(PathBuf::as_path);
+    let comparison = comparison.made_by(provenance_of(&domain, file));
     let mut written: Vec<PathBuf> = Vec::new();
     if let Some(folder) = &arguments.save_meshes {
         written = saved_meshes::save(folder, &comparison, &mut outputs)?;

@@ -5,6 +5,7 @@ use crate::bar::Bar;
 use crate::domain::{Counted, Parts, counted};
 use crate::failure::Failure;
 use crate::interrupt::{SESSION, clean_up_on_interrupt};
+use crate::provenance::mesh_command;
 use crate::standard_output::{print, print_json};
 use mindeg::beside::each;
 use mindeg::{Domain, Interior, MeshError, Progress};
@@ -48,8 +49,8 @@ pub(crate) fn run(arguments: &DegreeArguments) -> Result<(), Failure> {
     }
     let mut text = report.text();
     text.extend(fewer(&report));
-    if let (Some(domain), Some(path)) = (&domain, arguments.counts.path()) {
-        text.extend(advice(domain, &path.display().to_string()));
+    if let Some(domain) = &domain {
+        text.extend(advice(domain, arguments.counts.path()));
     }
     text.extend(lifting.map(|found| format!("With interior points: {}\n", found.text())));
     print(&text)
@@ -132,8 +133,8 @@ fn fewer(report: &DegreeReport) -> Option<String> {
 }
 
 /// The meshes to take of a domain, where they are found in little time.
-fn advice(domain: &Domain, file: &str) -> Option<String> {
+fn advice(domain: &Domain, file: Option<&Path>) -> Option<String> {
     // A domain without a mesh says so when it is meshed.
     let advice = is_small(domain).then(|| Advice::of(domain, Progress::NONE).ok()).flatten()?;
-    Some(advice.hints(Some(file)) + "\n")
+    Some(advice.hints(Some(&mesh_command(domain, file))) + "\n")
 }

@@ -1,10 +1,12 @@
-//! The provenance of a page.
+//! The provenance of a page, and the commands that it advises.
 
-use mindeg_answers::advice::shell_word;
+use crate::args::{Arguments, DomainOptions};
+use mindeg::Domain;
+use mindeg_answers::command::{MeshCommand, file_word, shell_word};
 use mindeg_compare::Provenance;
 use std::path::Path;
 
-/// The provenance of a page: the file as it was given, and the command line.
+/// The provenance of a page on a mesh: the file as it was given, and the command line.
 pub(crate) fn provenance(input: Option<&Path>) -> Provenance {
     let words = std::env::args_os().skip(1).map(|word| shell_word(&word.to_string_lossy()));
     let command = [String::from("mindeg")].into_iter().chain(words).collect::<Vec<_>>().join(" ");
@@ -14,4 +16,19 @@ pub(crate) fn provenance(input: Option<&Path>) -> Provenance {
         command: Some(command),
         ..Provenance::default()
     }
+}
+
+/// The provenance of a page on a domain, which was read from the file or made of options.
+pub(crate) fn provenance_of(domain: &Domain, input: Option<&Path>) -> Provenance {
+    Provenance { mesh: mesh_command(domain, input), ..provenance(input) }
+}
+
+/// The command that makes meshes of a domain as the command line names it.
+pub(crate) fn mesh_command(domain: &Domain, input: Option<&Path>) -> MeshCommand {
+    let file = input.map(|path| file_word(&path.display().to_string()));
+    // Arguments that were parsed once are parsed again.
+    let matches = Arguments::whole().get_matches();
+    let options = matches.subcommand().map(|(_, command)| DomainOptions::given(command));
+    let words: Vec<String> = file.into_iter().chain(options.unwrap_or_default()).collect();
+    MeshCommand::of(&words, domain)
 }

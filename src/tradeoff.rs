@@ -7,7 +7,7 @@ use crate::failure::Failure;
 use crate::interrupt::{SESSION, clean_up_on_interrupt};
 use crate::making::wrote;
 use crate::mesh::unsolved;
-use crate::provenance::provenance;
+use crate::provenance::provenance_of;
 use crate::standard_output::{print, print_json};
 use crate::suggest::{left_out, spread};
 use crate::terminal::say;
@@ -89,7 +89,8 @@ fn writer(path: &Path) -> Result<Writer, Failure> {
         Some("html" | "htm") => Ok(|drawn, found, input, out| {
             let advice = found.answer.advice.unwrap_or(Advice::UNMEASURED);
             let inside = found.inside.as_ref();
-            write_trade_off_html(drawn, &advice, found.told, inside, provenance(input), out)
+            let made_by = provenance_of(drawn.domain(), input);
+            write_trade_off_html(drawn, &advice, found.told, inside, made_by, out)
         }),
         Some("svg") => Ok(|drawn, _, _, out| write_trade_off_svg(drawn, out)),
         Some("json") => Ok(|_, found, _, out| write_trade_off_json(&found.answer, out)),

@@ -4,7 +4,8 @@ use super::values::{
     Corners, IntervalCounts, Length, RectangleSize, angle, length, length_with_unit,
 };
 use crate::failure::Failure;
-use clap::Args;
+use clap::parser::ValueSource;
+use clap::{ArgMatches, Args};
 use mindeg::Spacing;
 use mindeg_files::{FillRule, ProjectionChoice};
 use std::path::PathBuf;
@@ -25,7 +26,7 @@ pub(crate) struct DomainArguments {
 #[derive(Clone, Debug, Args)]
 #[command(next_help_heading = "Domain")]
 pub(crate) struct DomainOptions {
-    /// A rectangle with these side lengths; its sides are bottom, right, top, left
+    /// A rectangle with these side lengths; sides 1 to 4 are its bottom, right, top and left
     #[arg(long, value_name = "WxH", conflicts_with_all = ["domain", "corners"], allow_hyphen_values = true)]
     pub(crate) rectangle: Option<RectangleSize>,
 
@@ -56,6 +57,30 @@ pub(crate) struct DomainOptions {
 }
 
 impl DomainOptions {
+    /// Those of a command line, as words. They name the same domain to any command.
+    pub(crate) fn given(command: &ArgMatches) -> Vec<String> {
+        let all = Self::augment_args(clap::Command::new("domain"));
+        let is_given = |id| command.value_source(id) == Some(ValueSource::CommandLine);
+        let mut words = Vec::new();
+        for option in all.get_arguments().filter(|option| is_given(option.get_id().as_str())) {
+            let name = format!("--{}", option.get_long().unwrap_or_default());
+            if !option.get_action().takes_values() {
+                words.push(name);
+                continue;
+            }
+            for value in command.get_raw(option.get_id().as_str()).into_iter().flatten() {
+                let value = value.to_string_lossy();
+                // What begins with a dash would look like an option.
+                if value.starts_with('-') {
+                    words.push(format!("{name}={value}"));
+                } else {
+                    words.extend([name.clone(), value.into_owned()]);
+                }
+            }
+        }
+        words
+    }
+
     /// Whether an option divides the sides.
     pub(crate) fn divides(&self) -> bool {
         self.intervals.is_some() || self.size.is_some() || self.spacing.is_some()

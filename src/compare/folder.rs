@@ -7,7 +7,7 @@ use crate::domain::{UNNAMED, from_options, parts};
 use crate::failure::Failure;
 use crate::interrupt::SESSION;
 use crate::named_files::summed_up;
-use crate::provenance::provenance;
+use crate::provenance::provenance_of;
 use crate::terminal::say;
 use mindeg::Domain;
 use mindeg_compare::{
@@ -104,7 +104,7 @@ impl Job<'_> {
         let mut outputs = Outputs::new(&SESSION);
         let out = outputs.open(&page)?;
         let comparison = compared(&domain, options, arguments.quiet)?;
-        let comparison = comparison.made_by(provenance(self.file));
+        let comparison = comparison.made_by(provenance_of(&domain, self.file));
         if let Some(meshes) = &arguments.save_meshes {
             saved_meshes::save(&meshes.join(&self.name), &comparison, &mut outputs)?;
         }

@@ -1,5 +1,6 @@
-use crate::run::{ends_quietly_when_nobody_reads, mindeg};
+use crate::run::{ends_quietly_when_nobody_reads, mindeg, shell};
 use serde_json::json;
+use std::fs;
 
 #[test]
 fn the_table_of_optima() {
@@ -91,5 +92,38 @@ fn a_domain_is_told_which_mesh_to_take() {
         "boundary-layer-channel.json --interior -o mesh.obj",
     ] {
         assert!(text.contains(words), "{words:?} is missing in {text}");
+    }
+}
+
+/// The commands among the hints make the meshes that they promise, whatever was asked of the domain.
+#[cfg(unix)]
+#[test]
+fn hinted_commands_make_what_they_promise() {
+    let root = env!("CARGO_MANIFEST_DIR");
+    let folder = tempfile::tempdir().unwrap();
+    let inside =
+        r#"{"rectangle": {"width": 4, "height": 3}, "size": 1, "interior": {"growth": 0.4}}"#;
+    fs::write(folder.path().join("my domain.json"), inside).unwrap();
+    let run =
+        |line: &str| shell(folder.path(), &format!("mindeg() {{ \"$MINDEG\" \"$@\"; }}; {line}"));
+    for words in [
+        "--rectangle 4x3 --size 0.5 --periodic 'side 2=side 4'",
+        "'my domain.json'",
+        &format!("{root}/assets/outlines/part.dxf --size 5"),
+        &format!("{root}/assets/outlines/icon.svg --size 0.5 --fill-rule evenodd --repair"),
+        &format!(
+            "{root}/assets/outlines/islands.geojson --feature 2 --project none --corner-angle 40"
+        ),
+    ] {
+        let answer = run(&format!("mindeg degree {words}"));
+        let lines: Vec<&str> = answer.text().lines().collect();
+        let hinted: Vec<_> =
+            lines.windows(2).filter(|two| two[1].starts_with("mindeg mesh ")).collect();
+        assert_eq!(hinted.len(), 2, "{words}: {answer:?}");
+        for two in hinted {
+            let made = run(&format!("{} --json", two[1])).json();
+            let angle = format!("minimum angle {:.3}°", made["min_angle"].as_f64().unwrap());
+            assert!(two[0].contains(&angle), "{two:?} gives {angle}");
+        }
     }
 }

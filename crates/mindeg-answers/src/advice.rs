@@ -3,16 +3,15 @@
 //!
 //! Limits: the advice compares minimum angles and degrees alone.
 
+pub use crate::purpose::{KEPT, Purpose};
+
+use crate::command::MeshCommand;
 use crate::numbers::{percent, steady_angle};
 use mindeg::exact::share_of;
 use mindeg::interior::{self, InteriorMesh, InteriorReport};
 use mindeg::{Domain, Goal, MeshError, Meshed, Progress, mesh};
 use schemars::JsonSchema;
 use serde::Serialize;
-use std::str::FromStr;
-
-/// The share of Delaunay's minimum angle that a patch keeps, at least.
-pub const KEPT: f64 = 0.95;
 
 /// On domains with more vertices, who is asked for something else gives the advice without figures: they take three
 /// meshes.
@@ -20,80 +19,6 @@ pub const MOST_VERTICES: u32 = 1000;
 
 /// Points inside that bring less than so many times the angle bring too little.
 const WORTH: f64 = 1.05;
-
-/// What a mesh is for.
-///
-/// ```
-/// use mindeg_answers::advice::Purpose;
-///
-/// assert_eq!("solver".parse(), Ok(Purpose::Solver));
-/// assert_eq!(Purpose::Solver.options(), ["--interior"]);
-/// assert!("game".parse::<Purpose>().is_err());
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Purpose {
-    /// Points inside, for large angles.
-    Solver,
-    /// A first mesh that must keep its points: the least degree that keeps [`KEPT`] of the angle.
-    Patch,
-    /// The fewest edges at a vertex.
-    Fewest,
-}
-
-impl Purpose {
-    /// All of them, the one that most users have first.
-    pub const ALL: [Self; 3] = [Self::Solver, Self::Patch, Self::Fewest];
-
-    /// The word for it.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Solver => "solver",
-            Self::Patch => "patch",
-            Self::Fewest => "fewest",
-        }
-    }
-
-    /// The mesh for it, in a few words.
-    #[must_use]
-    pub fn help(self) -> &'static str {
-        match self {
-            Self::Solver => "points inside, for large angles",
-            Self::Patch => "the fewest edges at a vertex that keep 95% of the angle",
-            Self::Fewest => "the fewest of all",
-        }
-    }
-
-    /// The options of `mindeg mesh` that make the mesh for it.
-    #[must_use]
-    pub fn options(self) -> &'static [&'static str] {
-        match self {
-            Self::Solver => &["--interior"],
-            Self::Patch => &["--keep-angle", "95%"],
-            Self::Fewest => &[],
-        }
-    }
-
-    /// The goal of a mesh of boundary points alone; `None` where points are inside.
-    #[must_use]
-    pub fn goal(self) -> Option<Goal> {
-        match self {
-            Self::Solver => None,
-            Self::Patch => Some(Goal::KeepAngle(KEPT)),
-            Self::Fewest => Some(Goal::LeastDegree),
-        }
-    }
-}
-
-impl FromStr for Purpose {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let found = Self::ALL.into_iter().find(|purpose| purpose.name() == text);
-        found.ok_or_else(|| "give solver, patch or fewest".to_owned())
-    }
-}
 
 /// The meshes to choose from, and the one to take unless told what it is for.
 ///
@@ -300,13 +225,12 @@ impl Advice {
         sentences.join("\n")
     }
 
-    /// The same as hints of the terminal: each with the options of `mindeg mesh` to add, or with the whole command for
-    /// an `input`.
+    /// The same as hints of the terminal: each with the options of `mindeg mesh` to add, or with the whole command.
     #[must_use]
-    pub fn hints(&self, input: Option<&str>) -> String {
-        let hint = |purpose: Purpose| match input {
-            Some(input) => {
-                format!("hint: f{}\n{}", self.rest(purpose), advised_command(input, purpose))
+    pub fn hints(&self, command: Option<&MeshCommand>) -> String {
+        let hint = |purpose: Purpose| match command {
+            Some(command) => {
+                format!("hint: f{}\n{}", self.rest(purpose), command.advised(purpose))
             }
             None => {
                 format!("hint: f{} Add {}.", self.rest(purpose), purpose.options().join(" "))
@@ -323,62 +247,9 @@ pub fn is_small(domain: &Domain) -> bool {
     domain.rings().vertex_count().saturating_add(inside) <= MOST_VERTICES
 }
 
-/// The command that makes the mesh for a purpose from `input`, ready for a POSIX shell.
-///
-/// ```
-/// use mindeg_answers::advice::{Purpose, advised_command};
-///
-/// assert_eq!(
-///     advised_command("my wing.json", Purpose::Patch),
-///     "mindeg mesh 'my wing.json' --keep-angle 95% -o mesh.obj"
-/// );
-/// ```
-#[must_use]
-pub fn advised_command(input: &str, purpose: Purpose) -> String {
-    mesh_command(input, purpose.options())
-}
-
-/// The command that makes a mesh of a domain in a file, with some options.
-#[must_use]
-pub fn mesh_command(input: &str, options: &[&str]) -> String {
-    // A file name that begins with a dash would look like an option.
-    let folder = if input.starts_with('-') { "./" } else { "" };
-    let input = shell_word(&format!("{folder}{input}"));
-    let words = ["mindeg", "mesh", &input].into_iter().chain(options.iter().copied());
-    words.chain(["-o", "mesh.obj"]).collect::<Vec<_>>().join(" ")
-}
-
-/// A word as a POSIX shell reads it back: in quotes where it needs them.
-///
-/// ```
-/// use mindeg_answers::advice::shell_word;
-///
-/// assert_eq!(["--size", "0,0 4,0", "it's"].map(shell_word), ["--size", "'0,0 4,0'", r"'it'\''s'"]);
-/// ```
-#[must_use]
-pub fn shell_word(word: &str) -> String {
-    let is_plain = |c: char| c.is_alphanumeric() || "-_./+,:@%=".contains(c);
-    if !word.is_empty() && word.chars().all(is_plain) {
-        word.to_owned()
-    } else {
-        format!("'{}'", word.replace('\'', r"'\''"))
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_command_can_be_pasted() {
-        for (input, word) in
-            [("a.json", "a.json"), ("it's.json", r"'it'\''s.json'"), ("-x", "./-x"), ("", "''")]
-        {
-            let command = format!("mindeg mesh {word} --keep-angle 95% -o mesh.obj");
-            assert_eq!(advised_command(input, Purpose::Patch), command);
-        }
-        assert_eq!(advised_command("a", Purpose::Fewest), "mindeg mesh a -o mesh.obj");
-    }
 
     fn made(max_degree: u32, min_angle: f64, share: Option<f64>) -> Option<AdvisedMesh> {
         Some(AdvisedMesh { max_degree, min_angle, share_of_delaunay: share })

@@ -19,6 +19,7 @@
 //! One language; angles are in degrees.
 
 pub mod advice;
+pub mod command;
 pub mod condition;
 pub mod degree;
 pub mod demands;
@@ -35,6 +36,7 @@ pub mod numbers;
 pub mod preset;
 pub mod proof;
 pub mod proven;
+mod purpose;
 pub mod remesh;
 pub mod sizes;
 pub mod stitch;

@@ -28,6 +28,7 @@ pub use viewer::{space_script, viewer_script, viewer_style};
 use crate::InteriorFigures;
 use crate::figures::{DomainFigures, MethodFigures};
 use mindeg_answers::advice::{Advice, Purpose};
+use mindeg_answers::command::MeshCommand;
 use mindeg_answers::trade_off::TradeOffAnswer;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -95,11 +96,19 @@ pub struct Provenance {
     pub input: Option<String>,
     /// The command line, if that is known.
     pub command: Option<String>,
+    /// The command that makes meshes of the domain.
+    #[serde(skip)]
+    pub mesh: MeshCommand,
 }
 
 impl Default for Provenance {
     fn default() -> Self {
-        Self { version: env!("CARGO_PKG_VERSION").to_owned(), input: None, command: None }
+        Self {
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            input: None,
+            command: None,
+            mesh: MeshCommand::default(),
+        }
     }
 }
 

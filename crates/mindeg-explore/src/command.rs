@@ -1,7 +1,7 @@
 //! The command line that makes a mesh of the page.
 
 use mindeg::{Domain, Goal};
-use mindeg_answers::advice::shell_word;
+use mindeg_answers::command::{boundary_alone_options, file_word, inside_options, shell_word};
 use mindeg_files::Format;
 use serde_json::Value;
 
@@ -59,9 +59,7 @@ fn stem(text: &str) -> String {
 pub(crate) fn command(request: &Request, domain: &Domain, known: &KnownFiles) -> String {
     let file = known.with(request.domain.get());
     let input = match file {
-        // A file name that begins with a dash would look like an option.
-        Some(path) if path.starts_with('-') => shell_word(&format!("./{path}")),
-        Some(path) => shell_word(path),
+        Some(path) => shell_word(&file_word(path)),
         None => "-".to_owned(),
     };
     let stem = file_stem(domain, request.view, request.goal);
@@ -86,27 +84,16 @@ pub(crate) fn command(request: &Request, domain: &Domain, known: &KnownFiles) ->
 
 /// The options that tell `mindeg mesh` which mesh is wanted.
 fn options(request: &Request, domain: &Domain) -> Vec<String> {
-    let mut options = Vec::new();
-    let interior = domain.interior();
+    let words = |options: &[&str]| options.iter().copied().map(str::to_owned).collect::<Vec<_>>();
     if request.view == View::Interior {
-        options.push("--interior".to_owned());
-        let demands = interior.is_some_and(|wanted| {
-            wanted.target_angle.is_some()
-                || wanted.interior_degree.is_some()
-                || wanted.boundary_degree.is_some()
-        });
-        if demands || domain.is_constrained() {
-            options.push("--write-anyway".to_owned());
-        }
-        return options;
+        return words(inside_options(domain));
     }
+    let mut options = Vec::new();
     if request.view == View::Wanted && request.goal != Goal::default() {
         let (kind, value) = request.goal.kind_and_value();
         options.extend([kind.option(), value].into_iter().filter(|word| !word.is_empty()));
     }
-    if interior.is_some() {
-        options.push("--no-interior".to_owned());
-    }
+    options.extend(words(boundary_alone_options(domain)));
     options
 }
 

@@ -22,7 +22,8 @@ use crate::{Comparison, Method};
 use askama::Template;
 use glam::DVec2;
 use mindeg::exact::TradeOff;
-use mindeg_answers::advice::{Purpose, advised_command};
+use mindeg_answers::advice::Purpose;
+use mindeg_answers::command::MeshCommand;
 use mindeg_answers::numbers::{count, steady_angle};
 use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
 use std::io::{self, Write};
@@ -175,9 +176,8 @@ pub fn write_linked_html(
     let data = serde_json::to_string(&picture::of_comparison(comparison))?;
     let mut all_figures = vec![tables::degrees(report), tables::shares(report)];
     all_figures.extend(tables::metrics(report));
-    let input = report.provenance.input.as_deref();
-    let input_words = input.unwrap_or("DOMAIN.json");
-    let (main_figures, other_figures) = figures(comparison, input_words);
+    let command = &report.provenance.mesh;
+    let (main_figures, other_figures) = figures(comparison, command);
     let page = Page {
         title: report.domain.name.as_deref().or(report.provenance.title()).unwrap_or("Domain"),
         provenance: &report.provenance,
@@ -197,7 +197,7 @@ pub fn write_linked_html(
         ),
         verdict: verdict(report),
         choice: tables::choice(report),
-        commands: commands_without_mesh(report, input_words),
+        commands: commands_without_mesh(report, command),
         is_in_space: false,
         is_map: report.domain.regions.is_some(),
         curve: comparison.trade_off().map(|curve| small_curve(report, curve)).transpose()?,
@@ -302,9 +302,9 @@ pub(super) fn facts(
 }
 
 /// The commands that make the advised meshes, the one to take first.
-pub(super) fn commands(report: &Report, input: &str) -> Vec<String> {
+pub(super) fn commands(report: &Report, command: &MeshCommand) -> Vec<String> {
     let purposes = report.advice.purposes(report.purpose);
-    purposes.into_iter().map(|purpose| advised_command(input, purpose)).collect()
+    purposes.into_iter().map(|purpose| command.advised(purpose)).collect()
 }
 
 fn advised_for(purpose: Purpose) -> &'static str {
@@ -321,15 +321,18 @@ pub(super) fn vertex_words(regions: Option<u32>) -> &'static str {
 }
 
 /// The commands whose mesh the comparison does not have.
-fn commands_without_mesh(report: &Report, input: &str) -> Vec<String> {
+fn commands_without_mesh(report: &Report, command: &MeshCommand) -> Vec<String> {
     let shown: Vec<Purpose> = advised(report).into_iter().map(|(purpose, _)| purpose).collect();
     let purposes = report.advice.purposes(report.purpose);
     let missing = purposes.into_iter().filter(|purpose| !shown.contains(purpose));
-    missing.map(|purpose| advised_command(input, purpose)).collect()
+    missing.map(|purpose| command.advised(purpose)).collect()
 }
 
 /// The meshes that the verdict compares, the advised one first, and the others.
-fn figures<'a>(comparison: &'a Comparison, input: &str) -> (Vec<Figure<'a>>, Vec<Figure<'a>>) {
+fn figures<'a>(
+    comparison: &'a Comparison,
+    command: &MeshCommand,
+) -> (Vec<Figure<'a>>, Vec<Figure<'a>>) {
     let report = comparison.report();
     let advised = advised(report);
     let mut main = Vec::new();
@@ -356,7 +359,7 @@ fn figures<'a>(comparison: &'a Comparison, input: &str) -> (Vec<Figure<'a>>, Vec
             commands: advised
                 .iter()
                 .filter(|(_, other)| *other == method.method)
-                .map(|&(purpose, _)| advised_command(input, purpose))
+                .map(|&(purpose, _)| command.advised(purpose))
                 .collect(),
         };
         match method.method {
@@ -400,6 +403,7 @@ mod tests {
         let made_by = Provenance {
             input: Some("out/of here/a b.json".to_owned()),
             command: Some(command),
+            mesh: MeshCommand::of(&["out/of here/a b.json".to_owned()], &domain),
             ..Provenance::default()
         };
         let comparison = compare(&domain, &CompareOptions::default()).unwrap().made_by(made_by);
@@ -437,7 +441,8 @@ mod tests {
         // No side of 2, so that every fan has a flat triangle.
         let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(4); 4]).unwrap();
         let comparison = compare(&domain, &CompareOptions::default()).unwrap();
-        let (main, others) = figures(&comparison, "plate.json");
+        let (main, others) =
+            figures(&comparison, &MeshCommand::of(&["plate.json".to_owned()], &domain));
         let without = |figures: &[Figure<'_>]| -> Vec<String> {
             let missing = figures.iter().filter(|figure| !figure.has_triangles);
             missing.map(|figure| figure.name.clone()).collect()

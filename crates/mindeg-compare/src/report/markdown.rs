@@ -46,8 +46,7 @@ pub fn write_markdown(comparison: &Comparison, mut out: impl Write) -> io::Resul
     for sentence in verdict(report).sentences() {
         writeln!(out, "{}\n", escaped(sentence))?;
     }
-    let input = report.provenance.input.as_deref().unwrap_or("DOMAIN.json");
-    writeln!(out, "```sh\n{}\n```\n", commands(report, input).join("\n"))?;
+    writeln!(out, "```sh\n{}\n```\n", commands(report, &report.provenance.mesh).join("\n"))?;
     write_table(&mut out, 2, &tables::choice(report))?;
     write_table(&mut out, 2, &tables::overview(report))?;
     if let Some(table) = tables::interior(report) {

@@ -13,7 +13,7 @@ use askama::Template;
 use glam::DVec2;
 use mindeg::Bounds;
 use mindeg::exact::{ExactMesh, TradeOff};
-use mindeg_answers::advice::{Advice, KEPT, Purpose, mesh_command};
+use mindeg_answers::advice::{Advice, KEPT, Purpose};
 use mindeg_answers::numbers::{Column, count, percent, steady_angle, steady_percent};
 use mindeg_formats::svg::Inset;
 use mindeg_mesh::TriMesh;
@@ -63,7 +63,7 @@ struct Figure {
 }
 
 /// Writes a trade-off as one self-contained HTML page with the mesh to take, for a purpose if that is told, and the mesh with
-/// points `inside`, if there is one. Beside each mesh is the command that makes it, of the input that `made_by` names.
+/// points `inside`, if there is one. Beside each mesh is the command that makes it, of the domain that `made_by` names.
 ///
 /// # Errors
 ///
@@ -101,8 +101,6 @@ pub fn write_trade_off_html(
         String::new()
     };
     let bounds = domain.placement().bounds();
-    let command =
-        |options: &[&str]| mesh_command(made_by.input.as_deref().unwrap_or("DOMAIN.json"), options);
     let space = Bounds { min: DVec2::splat(MARGIN), max: MESH - MARGIN };
     let figure = |&place: &usize| {
         let exact = &meshes[place];
@@ -114,7 +112,9 @@ pub fn write_trade_off_html(
                 steady_angle(exact.min_angle),
                 percent(trade_off.share(exact))
             ),
-            command: command(&["--max-degree", &exact.max_degree.to_string()]),
+            command: made_by
+                .mesh
+                .of_boundary_alone(&["--max-degree", &exact.max_degree.to_string()]),
             drawing: svg::mesh(&exact.mesh, bounds, space)?,
         })
     };
@@ -135,7 +135,7 @@ pub fn write_trade_off_html(
                     steady_angle(found.min_angle),
                     count(found.max_degree)
                 ),
-                command: command(Purpose::Solver.options()),
+                command: made_by.mesh.advised(Purpose::Solver),
                 drawing: svg::mesh(mesh, bounds, space)?,
             },
         );
