@@ -606,6 +606,48 @@ test("points of a trade-off lead to their meshes, by the keyboard and without a 
   await context.close();
 });
 
+test("the meshes of a trade-off are zoomed together, by buttons, wheel, keys and dragging", async () => {
+  const opened = await open("tradeoff.html", { viewport: { width: 1280, height: 900 } });
+  const boxes = async () => {
+    await opened.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    const all = await opened.locator(".mesh svg").evaluateAll((all) => all.map((drawing) => drawing.getAttribute("viewBox")));
+    assert.equal(new Set(all).size, 1);
+    return all[0].split(" ").map(Number);
+  };
+  const width = () => opened.locator("#degree-5 .edge").evaluate((edges) => parseFloat(getComputedStyle(edges).strokeWidth));
+  const [whole, thick] = [await boxes(), await width()];
+  await opened.getByRole("button", { name: "Zoom in" }).click();
+  const near = await boxes();
+  assert.ok(Math.abs(near[2] * 1.5 - whole[2]) < 1e-6 && near[0] > 0 && (await width()) < thick, near.join(" "));
+  const drawing = opened.locator("#degree-6 svg");
+  await drawing.scrollIntoViewIfNeeded();
+  const { x, y, width: wide, height: high } = await drawing.boundingBox();
+  await opened.mouse.move(x + 0.75 * wide, y + 0.25 * high);
+  await opened.mouse.wheel(0, -300);
+  assert.deepEqual(await boxes(), near, "a picture that was not clicked leaves the wheel to the page");
+  await drawing.scrollIntoViewIfNeeded();
+  const at = await drawing.boundingBox();
+  const pointer = [at.x + 0.75 * at.width, at.y + 0.25 * at.height];
+  const under = ([left, top, width, height]) => [left + 0.75 * width, top + 0.25 * height];
+  await opened.mouse.click(...pointer);
+  await opened.mouse.move(...pointer);
+  await opened.mouse.wheel(0, -300);
+  const nearer = await boxes();
+  assert.ok(nearer[2] < 0.5 * near[2], nearer.join(" "));
+  under(nearer).forEach((value, axis) => assert.ok(Math.abs(value - under(near)[axis]) < 2, `${under(nearer)} ${under(near)}`));
+  await opened.mouse.down();
+  await opened.mouse.move(pointer[0] - 40, pointer[1] + 25, { steps: 4 });
+  await opened.mouse.up();
+  const moved = await boxes();
+  assert.ok(moved[0] > nearer[0] + 5 && moved[1] < nearer[1] - 3, moved.join(" "));
+  await opened.keyboard.press("ArrowDown");
+  assert.ok((await boxes())[1] > moved[1]);
+  await opened.keyboard.press("0");
+  assert.deepEqual(await boxes(), whole);
+  assert.equal(await opened.locator(".copy:visible").count(), 5);
+  await opened.context().close();
+});
+
 test("a trade-off is dark on a dark screen, light on paper, and fits a phone", async () => {
   const opened = await open("tradeoff.html", { colorScheme: "dark", viewport: { width: 360, height: 740 } });
   const brightness = (selector, property) =>

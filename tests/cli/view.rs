@@ -67,7 +67,7 @@ fn a_mesh_in_space_is_turned() {
     fs::write(&path, UPRIGHT).expect("a file");
     let page = page(&[text(&path)]);
     assert!(page.contains("Drag to turn") && page.contains("class SpaceStage"), "{page}");
-    assert_eq!(figure(&page, "Minimum angle"), "45.0°");
+    assert_eq!(figure(&page, "Minimum angle"), "45.000°");
 }
 
 #[test]

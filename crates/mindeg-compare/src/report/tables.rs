@@ -14,7 +14,7 @@ use crate::{InteriorFigures, Method};
 use mindeg::quality::Distribution;
 use mindeg_answers::advice::Purpose;
 use mindeg_answers::measures::SHOWN;
-use mindeg_answers::numbers::{Column, count, seconds, steady_percent};
+use mindeg_answers::numbers::{Column, count, seconds, steady_angle, steady_percent};
 use std::ops::RangeInclusive;
 
 /// Text in rows and columns; the first column names the row.
@@ -65,9 +65,7 @@ pub(crate) fn decisive(title: &str, columns: &[(String, &MethodFigures)]) -> Tab
         [title.to_owned()].into_iter().chain(cells).collect()
     };
     let median = |figures: &MethodFigures| figures.spread("min_angle").map(|spread| spread.median);
-    let angles = columns.iter().flat_map(|(_, f)| [f.min_angle, median(f)]).flatten();
-    let angles = Column::new(angles, DIGITS);
-    let angle = |value: Option<f64>| text(value, |value| angles.angle(value));
+    let angle = |value: Option<f64>| text(value, steady_angle);
     let below = |figures: &MethodFigures, angle| {
         text(figures.share_below_degrees.get(&angle).copied(), steady_percent)
     };

@@ -23,7 +23,7 @@ macro_rules! viewer {
 }
 
 /// The script of a report: the viewer, then the report's own parts.
-pub(super) const SCRIPT: &str = viewer!("data.js", "picture.js", "page.js");
+pub(super) const SCRIPT: &str = viewer!("data.js", "picture.js", "copy.js", "page.js");
 
 /// The same for a mesh in space.
 pub(super) const SPACE_SCRIPT: &str = viewer!(
@@ -34,7 +34,15 @@ pub(super) const SPACE_SCRIPT: &str = viewer!(
     "data.js",
     "picture.js",
     "space_picture.js",
+    "copy.js",
     "page.js"
+);
+
+/// The script that zooms pictures which are there without a script.
+pub(super) const ZOOM_SCRIPT: &str = concat!(
+    include_str!("viewer/pointers.js"),
+    include_str!("copy.js"),
+    include_str!("trade_off/page.js")
 );
 
 /// The style sheet of the reports, light and dark, for a page that uses their viewer.

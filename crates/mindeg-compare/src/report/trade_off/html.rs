@@ -1,4 +1,4 @@
-//! A trade-off as one HTML page that opens from disk, asks for nothing else and needs no script.
+//! A trade-off as one HTML page that opens from disk, asks for nothing else; its script only zooms.
 //!
 //! Limits: two dozen meshes at most, evenly chosen.
 
@@ -6,7 +6,7 @@ use super::super::Provenance;
 use super::super::html::{SMALL_CURVE, curve_picture, facts, rendered};
 use super::super::svg::{self, CURVE_STYLE, DegreeColor, Marks};
 use super::super::tables::Table;
-use super::super::viewer::STYLE;
+use super::super::viewer::{STYLE, ZOOM_SCRIPT};
 use super::spread;
 use crate::regions::{holes, regions};
 use askama::Template;
@@ -50,6 +50,7 @@ struct Page<'a> {
     stretch: Option<String>,
     figures: Vec<Figure>,
     table: Table,
+    script: &'static str,
 }
 
 /// A mesh with its figures.
@@ -164,6 +165,7 @@ pub fn write_trade_off_html(
         stretch: inset.stretch(),
         figures,
         table: table(trade_off),
+        script: ZOOM_SCRIPT,
     };
     out.write_all(rendered(&page)?.as_bytes())
 }

@@ -23,8 +23,10 @@ function showDegreeLegend(legend, degrees) {
 /** What the colors of a measure mean; nothing for none. */
 function showMetricLegend(legend, measure) {
   if (!measure) return legend.replaceChildren();
+  // An end that was chosen, such as 60°, has no decimals.
+  const isRound = (value) => Number.isInteger(10 * value);
   const unit = measure.unit === "degrees" ? "°" : "";
-  const [from, to] = measure.range.map((value) => short(value) + unit);
+  const [from, to] = measure.range.map((value) => (isRound(value) ? short(value) + unit : valueText(value, measure)));
   const [hasLess, hasMore] = measure.goes_beyond;
   const ramp = make("span", measure.higher_is_better ? "ramp" : "ramp rising");
   const direction = measure.higher_is_better ? "higher is better" : "lower is better";

@@ -39,11 +39,10 @@ function describe(scene, measure, { vertex, triangle }) {
   const hasAngles = values.min_angle && values.max_angle;
   if (hasAngles) {
     const [least, greatest] = [values.min_angle[triangle], values.max_angle[triangle]];
-    known.push(`angles ${[least, 180 - least - greatest, greatest].map((angle) => short(angle) + "°").join(", ")}`);
+    known.push(`angles ${[least, 180 - least - greatest, greatest].map(angleText).join(", ")}`);
   }
   if (measure && !(hasAngles && measure.unit === "degrees")) {
-    const unit = measure.unit === "degrees" ? "°" : "";
-    known.push(`${measure.title.toLowerCase()} ${short(values[measure.name][triangle])}${unit}`);
+    known.push(`${measure.title.toLowerCase()} ${valueText(values[measure.name][triangle], measure)}`);
   }
   return known.length ? `${named}: ${known.join("; ")}` : named;
 }

@@ -23,6 +23,15 @@ const POLE = 8;
 
 const short = (value) => (Number.isFinite(value) ? String(Number(value.toPrecision(4))) : "∞");
 
+/** An angle as all of mindeg writes it: to three decimals, and one too small for them to four digits. */
+function angleText(degrees) {
+  if (degrees >= 0.1 || degrees === 0) return `${degrees.toFixed(3)}°`;
+  return `${Number(degrees.toPrecision(4))}°`;
+}
+
+/** A value of a measure with its unit. */
+const valueText = (value, { unit }) => (unit === "degrees" ? angleText(value) : short(value));
+
 /** The numbers in a base64 string of little-endian bytes. */
 function unpack(text, Kind) {
   const letters = atob(text);
