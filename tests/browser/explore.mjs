@@ -151,6 +151,40 @@ test("from any example a newcomer leaves within a minute with the mesh of the ad
   await page.context().close();
 });
 
+test("of no example are corners, words or figures cut, and the download is beside or below its picture", async () => {
+  for (const [width, height] of [[390, 844], [800, 900], [1400, 900]]) {
+    const page = await openNew({ viewport: { width, height } });
+    for (const name of ["boundary-layer-channel", "step-channel", "wing-panel", "plate-with-holes", "great-britain"]) {
+      if (name !== "boundary-layer-channel") await choose(page, name);
+      const here = `${name} at ${width}`;
+      const stage = await page.locator(".stage").first().boundingBox();
+      for (const [x, y] of await cornerPlaces(page)) {
+        const edge = Math.min(x - stage.x, stage.x + stage.width - x, y - stage.y, stage.y + stage.height - y);
+        assert.ok(edge >= 7, `${here}: a corner is ${edge} pixels from the edge`);
+      }
+      const cut = await page.evaluate(() => {
+        const context = document.createElement("canvas").getContext("2d");
+        const isBroken = (name) => {
+          context.font = getComputedStyle(name).font;
+          return name.textContent.split(/[ -]/).some((word) => context.measureText(word).width > name.clientWidth);
+        };
+        const rows = [...document.querySelectorAll("#degrees b, #interior label, #interior small")].filter((it) => it.scrollWidth > it.clientWidth);
+        return [...rows, ...[...document.querySelectorAll(".side-name")].filter(isBroken)].map((it) => it.textContent);
+      });
+      assert.deepEqual(cut, [], here);
+      const [button, below] = await Promise.all(["#download-main", "#download"].map((selector) => page.locator(selector).boundingBox()));
+      assert.equal(button === null, width === 1400, here);
+      const top = (button ?? below).y;
+      assert.ok(top < height || top < stage.y + stage.height + 120, `${here}: ${top} pixels down`);
+    }
+    if (width === 390) {
+      const [one, other] = [await downloaded(page, "#download-main"), await downloaded(page, "#download")];
+      assert.deepEqual(one.bytes, other.bytes);
+    }
+    await page.context().close();
+  }
+});
+
 test("points inside have options, and places that decide are marked", async () => {
   const page = await openNew();
   await choose(page, "l-bracket");

@@ -1,8 +1,7 @@
 // The choices in the library's tables: a button for each goal, and a field for each key of points inside.
-// From the viewer's script: make.
+// From the viewer's script: angleText, make.
 
 import { apply, ask } from "./asking.js";
-import { angleText } from "./curve.js";
 import { element, showCurveNow } from "./show.js";
 import { shown, state } from "./state.js";
 
@@ -145,11 +144,17 @@ function readGoal() {
 /** Offers the keys of points inside. An empty field leaves the key out. */
 export function offerInterior(all) {
   keys = all.map((key) => ({ ...key, field: keyField(key) }));
-  element("interior").append(...keys.map(({ name, text, field }) => {
-    const label = make("label", "", `${name[0].toUpperCase()}${name.slice(1).replaceAll("_", " ")} `);
-    label.title = text;
-    label.append(field);
-    return label;
+  element("interior").append(...keys.map(({ name, text, default: usual, field }) => {
+    const row = make("div", "key");
+    row.title = text;
+    const label = make("label", "", `${name[0].toUpperCase()}${name.slice(1).replaceAll("_", " ")}`);
+    label.htmlFor = field.id;
+    // Without a default, what it is for.
+    const note = make("small", "", usual || text.split(/[:;,] /)[0].replace(/^The /, "the "));
+    note.id = `${field.id}-note`;
+    field.setAttribute("aria-describedby", note.id);
+    row.append(label, field, note);
+    return row;
   }));
 }
 
@@ -159,7 +164,7 @@ function keyField(key) {
   if (key.value === "choice") {
     field.append(new Option(key.default, ""), ...key.choices.filter((word) => word !== key.default).map((word) => new Option(word, word)));
   } else {
-    Object.assign(field, { type: key.value === "range" ? "text" : "number", placeholder: key.default, size: 8 });
+    Object.assign(field, { type: key.value === "range" ? "text" : "number", size: 8 });
     if (key.value !== "range") Object.assign(field, { min: 0, step: key.value === "number" ? "any" : 1 });
   }
   field.addEventListener("change", () => {

@@ -1,4 +1,5 @@
 // The curve: the largest minimum angle over the maximum degree, to click on, and the same as buttons.
+// From the viewer's script: angleText.
 
 const NAMESPACE = "http://www.w3.org/2000/svg";
 const [WIDTH, HEIGHT] = [380, 200];
@@ -9,12 +10,6 @@ function draw(tag, attributes, text) {
   for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
   if (text !== undefined) made.textContent = text;
   return made;
-}
-
-/** An angle as the summaries have it. */
-export function angleText(degrees) {
-  if (degrees >= 0.1 || degrees === 0) return `${degrees.toFixed(3)}°`;
-  return `${Number(degrees.toPrecision(4))}°`;
 }
 
 const percent = (share) => (share > 0.999 && share < 1 ? ">99.9%" : `${Number((100 * share).toPrecision(3))}%`);

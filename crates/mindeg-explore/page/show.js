@@ -1,7 +1,7 @@
 // Puts what the server says into the page.
-// From the viewer's script: DEGREE_COLORS, make and the charts.
+// From the viewer's script: DEGREE_COLORS, angleText, make and the charts.
 
-import { angleText, showCurve } from "./curve.js";
+import { showCurve } from "./curve.js";
 import { namedPlaces } from "./names.js";
 import { canRedo, canUndo, shown, state } from "./state.js";
 

@@ -1,7 +1,6 @@
 // A surface in space: it is turned, meshed anew, filled or bridged, with before and after side by side.
-// From the scripts of the viewer: SpaceStage, make, pageColors, unpack, showDegreeLegend.
+// From the scripts of the viewer: SpaceStage, angleText, make, pageColors, unpack, showDegreeLegend.
 
-import { angleText } from "./curve.js";
 import * as server from "./server.js";
 import { element, showTrouble } from "./show.js";
 

@@ -52,6 +52,7 @@ export function offerFiles(formats) {
     button.disabled = false;
   };
   element("download").addEventListener("click", (event) => load(state.view, event.currentTarget));
+  element("download-main").addEventListener("click", (event) => load(state.view, event.currentTarget));
   element("download-beside").addEventListener("click", (event) => load(state.beside, event.currentTarget));
   element("save").addEventListener("click", () => {
     const text = JSON.stringify(state.domain, null, 2) + "\n";
