@@ -43,7 +43,8 @@ pub(crate) struct RemeshArguments {
     #[arg(long, value_name = "N", value_parser = whole_number, conflicts_with = "size", allow_hyphen_values = true, help_heading = "Surface")]
     pub(crate) vertices: Option<u32>,
 
-    /// How far the surfaces may be apart, both ways: a length, or a share of the part's diagonal such as 0.3%
+    /// How far the surfaces may be apart, both ways: a length, or a share of the part's diagonal such as 0.3%, which is
+    /// tried, not demanded, without this, --size and --vertices
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "Surface")]
     pub(crate) tolerance: Option<Tolerance>,
 

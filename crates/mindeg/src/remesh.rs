@@ -44,19 +44,26 @@ use crate::repair::repaired;
 const SHORTEST: f64 = 3.0;
 /// The search aims at this share of the tolerance: it samples, the checker bounds.
 const AIM: f64 = 0.8;
+/// At this share where edges get the length that the distance needs: vertices have more room, angles and degrees gain.
+const ROOMY: f64 = 0.9;
 /// A tolerance makes edges no shorter than this share of the size: more vertices than that nobody asked for.
 const SHRINK: f64 = 0.3;
 /// How often the search is done with a stricter aim.
 const REPEATS: u32 = 4;
 /// A hole is filled if its rim is shorter than this many sizes: it could not have five edges.
 const RIM: f64 = 5.0;
+/// Without a wish for size, number of vertices or tolerance, the surfaces come as near as this share of the diagonal if
+/// the search can.
+const NEAR: f64 = 0.003;
 /// Distances below this share of the diagonal count as none; see [`SurfaceRules::tolerance`].
 const NOTHING: f64 = 1e-8;
 
 /// Meshes a part anew.
 ///
 /// Where a tolerance is asked for and the result does not keep it, the search is repeated with shorter edges, unless that
-/// takes edges shorter than 0.3 sizes; the last result is returned, and [`RemeshedPart::defects`] says what it lacks. Equal input gives equal bytes.
+/// takes edges shorter than 0.3 sizes; the last result is returned, and [`RemeshedPart::defects`] says what it lacks.
+/// Where neither size, vertices nor tolerance are asked for, the same is done for 0.3 % of the diagonal, which is no
+/// defect if it is not reached. Equal input gives equal bytes.
 ///
 /// # Errors
 ///
@@ -94,27 +101,36 @@ pub fn remesh(
         size = size_for(&surface, wish, count, size, progress)?;
     }
     let tolerance = wish.tolerance.map(|tolerance| tolerance + NOTHING * diagonal);
+    let is_free = wish.size.is_none() && wish.vertices.is_none();
+    let most = tolerance.or_else(|| is_free.then_some(NEAR * diagonal));
+    // A tolerance of zero is for surfaces of planes, which need no aim.
+    let aim = wish.tolerance.map(|tolerance| AIM * tolerance);
     let mut options = RemeshOptions {
         size: Some(size),
-        tolerance: wish.tolerance.map(|tolerance| AIM * tolerance),
+        tolerance: aim.filter(|aim| *aim > NOTHING * diagonal),
+        chord: None,
         curvature: wish.curvature,
         target_angle: wish.target_angle,
         keep_boundary: wish.keep_boundary,
         keep_features: wish.keep_features,
     };
-    // A tolerance of zero is for surfaces of planes, which need no aim.
-    options.tolerance = options.tolerance.filter(|aim| *aim > NOTHING * diagonal);
     let mut repeat = 0;
     loop {
-        repeat += 1;
         let found = search(&surface, &options, progress)?;
         let mut judged = judged(part, &surface, found, wish, tolerance, progress)?;
         judged.repairs = repairs;
         let distance = judged.distance();
-        let Some(tolerance) = tolerance.filter(|tolerance| distance > *tolerance) else {
+        let Some(most) = most.filter(|most| distance > *most) else {
             return Ok(judged);
         };
-        let factor = (tolerance / distance).min(0.9);
+        let factor = (most / distance).min(0.9);
+        if tolerance.is_none() && options.tolerance.is_none() {
+            // The distance that was reached tells how short edges must be.
+            options.tolerance = Some(ROOMY * most);
+            options.chord = Some(factor * size::rules(wish, size).tolerance);
+            continue;
+        }
+        repeat += 1;
         // An edge across a bend is as far off as it is long; one on a curved surface as its square.
         let shorter = if repeat > 1 { factor } else { factor.sqrt() };
         let next = options.size.map(|old| old * shorter).filter(|next| *next >= SHRINK * size);
@@ -122,6 +138,8 @@ pub fn remesh(
             return Ok(judged);
         }
         options.size = next;
-        options.tolerance = options.tolerance.map(|aim| aim * factor);
+        let stricter = if options.chord.is_some() { factor.sqrt() } else { factor };
+        options.chord = options.chord.map(|chord| chord * factor);
+        options.tolerance = options.tolerance.map(|aim| aim * stricter);
     }
 }

@@ -46,6 +46,44 @@ fn the_number_of_vertices_is_near_the_one_asked_for() {
     }
 }
 
+/// A ball of few triangles, the middles of whose edges are far inside: edges shorten until the surfaces are near.
+#[test]
+fn without_wishes_surfaces_are_near() {
+    let ball = |rings: u32| {
+        let around = 2 * rings;
+        let at = |ring: u32, turn: u32| {
+            let [polar, turn] =
+                [f64::from(ring) / f64::from(rings), f64::from(2 * turn) / f64::from(around)]
+                    .map(|share| share * std::f64::consts::PI);
+            DVec3::new(polar.sin() * turn.cos(), polar.sin() * turn.sin(), polar.cos())
+        };
+        let mut points = vec![DVec3::Z, DVec3::NEG_Z];
+        points.extend((1..rings).flat_map(|ring| (0..around).map(move |turn| at(ring, turn))));
+        let index = |ring: u32, turn: u32| match ring {
+            0 => 0,
+            ring if ring == rings => 1,
+            ring => 2 + (ring - 1) * around + turn % around,
+        };
+        let quads = (0..rings).flat_map(|ring| (0..around).map(move |turn| (ring, turn)));
+        let triangles = quads.flat_map(|(ring, turn)| {
+            let [a, b] = [turn, turn + 1].map(|turn| index(ring, turn));
+            let [c, d] = [turn, turn + 1].map(|turn| index(ring + 1, turn));
+            [[a, c, d], [a, d, b]].into_iter().filter(|[x, y, z]| x != y && y != z && z != x)
+        });
+        let triangles = triangles.collect();
+        TriMesh::new(points, triangles).unwrap()
+    };
+    let part = ball(16);
+    let diagonal = 2.0 * 3.0_f64.sqrt();
+    let found = remesh(&part, &Remesh::default(), Progress::NONE).unwrap();
+    assert_eq!(found.reached.off_degree, []);
+    assert!(found.distance() < 0.003 * diagonal, "{}", found.distance());
+    // A size is what is wanted then.
+    let wish = Remesh { size: Some(0.25), ..Remesh::default() };
+    let found = remesh(&part, &wish, Progress::NONE).unwrap();
+    assert!(found.distance() > 0.003 * diagonal, "{}", found.distance());
+}
+
 #[test]
 fn a_boundary_is_kept_bit_for_bit() {
     // An open box, remeshed at another size with the boundary and features that it got at first.

@@ -26,6 +26,9 @@ pub struct RemeshOptions {
     /// How far the mesh and the surface may be from each other, in units of length: the aim of the search, which samples
     /// distances and proves no bound. `None`: a fifth of the size.
     pub tolerance: Option<f64>,
+    /// How far the middle of an edge may be from a bent surface, in units of length: the search wants edges that short.
+    /// `None`: the tolerance, and at most 0.15 sizes.
+    pub chord: Option<f64>,
     /// True if edges become up to three times as long where the surface is flat.
     pub curvature: bool,
     /// The minimum angle aimed at, in degrees. `None`: 35.
@@ -174,16 +177,17 @@ pub fn remesh(
     let tolerance = options.tolerance.unwrap_or(TOLERANCE * size);
     let floor = options.target_angle.unwrap_or(FLOOR);
     let is_length = |x: f64| x.is_finite() && x > 0.0;
-    if !(is_length(size) && is_length(tolerance) && floor > 0.0 && floor < 60.0) {
+    let chord = options.chord.unwrap_or(tolerance);
+    if ![size, tolerance, chord].into_iter().all(is_length) || !(floor > 0.0 && floor < 60.0) {
         return Err(RemeshError::BadOption(format!(
-            "size {size} and tolerance {tolerance} must be positive lengths, and the target angle {floor} between 0 and 60"
+            "size {size}, tolerance {tolerance} and chord {chord} must be positive lengths, and the target angle {floor} between 0 and 60"
         )));
     }
     let mut rules = match options.curvature {
         true => SizeRules::by_curvature(size),
         false => SizeRules::of_size(size),
     };
-    rules.tolerance = rules.tolerance.min(tolerance);
+    rules.tolerance = rules.tolerance.min(chord);
     let mut stage = Stage::new(progress, "meshing the surface");
     stage.section(0.1);
     let fine = stage.through(1.0, |progress| surface.refined(&rules, progress))?;

@@ -8,7 +8,8 @@ pub struct Remesh {
     pub size: Option<f64>,
     /// About this many vertices, instead of a size.
     pub vertices: Option<u32>,
-    /// How far the surfaces may be apart, both ways, in units of length. `None`: as near as the size allows.
+    /// How far the surfaces may be apart, both ways, in units of length. `None`: as near as the size or the number of
+    /// vertices allows; without them 0.3 % of the diagonal is tried, not demanded.
     pub tolerance: Option<f64>,
     /// Edges that turn by more than this angle, in degrees, are features; at 180 none is.
     pub feature_angle: f64,
