@@ -178,7 +178,8 @@ pub fn remesh(
     let floor = options.target_angle.unwrap_or(FLOOR);
     let is_length = |x: f64| x.is_finite() && x > 0.0;
     let chord = options.chord.unwrap_or(tolerance);
-    if ![size, tolerance, chord].into_iter().all(is_length) || !(floor > 0.0 && floor < 60.0) {
+    let are_lengths = [size, tolerance, chord].into_iter().all(is_length);
+    if !(are_lengths && floor > 0.0 && floor < 60.0) {
         return Err(RemeshError::BadOption(format!(
             "size {size}, tolerance {tolerance} and chord {chord} must be positive lengths, and the target angle {floor} between 0 and 60"
         )));
