@@ -111,7 +111,9 @@ impl Weights {
         vertex: u32,
         triangles: u32,
     ) -> u32 {
-        let goal = mesh.goals.get(mesh.vertices[vertex as usize].goal as usize);
+        // A vertex that is not there yet is free.
+        let known = mesh.vertices.get(vertex as usize);
+        let goal = known.and_then(|known| mesh.goals.get(known.goal as usize));
         let (least, most) = match goal {
             Some(goal) => (goal.least, goal.triangles),
             None => (*self.interior.start(), *self.interior.end()),

@@ -49,30 +49,32 @@ struct Quad<S: Manifold> {
 const LARGEST_STAR: usize = 40;
 
 impl<S: Manifold> Cavity<S> {
-    /// Finds the triangles that an operation removes; false if it is not possible.
+    /// Finds the triangles that an operation removes, and their vertices; false if it is not possible.
     pub(crate) fn open(&mut self, mesh: &ArrayMesh<S>, operation: Operation) -> bool {
+        self.find(mesh, operation) && self.surround(mesh, operation)
+    }
+
+    /// Finds the triangles that an operation removes; false if it is not possible.
+    pub(crate) fn find(&mut self, mesh: &ArrayMesh<S>, operation: Operation) -> bool {
         self.removed.clear();
-        self.vertices.clear();
-        let mut crosses_line = false;
         match operation {
             Operation::Flip { triangle, corner } | Operation::Split { triangle, corner } => {
                 let split = matches!(operation, Operation::Split { .. });
                 let across = mesh.triangles[triangle as usize].neighbours[corner as usize];
-                crosses_line = !S::IS_PLANE && split;
-                if across == NONE && !crosses_line {
+                if across == NONE && (S::IS_PLANE || !split) {
                     return false;
                 }
                 self.removed.push(triangle);
                 self.removed.extend(Some(across).filter(|across| *across != NONE));
             }
             Operation::Collapse { from, to } => {
-                crosses_line = match mesh.vertices[from as usize].kind {
+                let is_on_line = match mesh.vertices[from as usize].kind {
                     Kind::Free => false,
                     Kind::Curve => true,
                     Kind::Boundary | Kind::Fixed => return false,
                 };
                 mesh.star(from, &mut self.star);
-                if crosses_line && mesh.label(&self.star, from, to) == S::Label::default() {
+                if is_on_line && mesh.label(&self.star, from, to) == S::Label::default() {
                     return false;
                 }
                 self.removed.extend(&self.star);
@@ -88,6 +90,12 @@ impl<S: Manifold> Cavity<S> {
                 self.removed.extend((first..first + count).map(|i| self.star[i % all]));
             }
         }
+        true
+    }
+
+    /// Finds the vertices of the triangles that [`find`](Self::find) has found; false if an edge between these stays.
+    pub(crate) fn surround(&mut self, mesh: &ArrayMesh<S>, operation: Operation) -> bool {
+        self.vertices.clear();
         for t in &self.removed {
             for v in mesh.triangles[*t as usize].vertices {
                 if !self.vertices.contains(&v) {
@@ -95,7 +103,52 @@ impl<S: Manifold> Cavity<S> {
                 }
             }
         }
+        let crosses_line = match operation {
+            Operation::Split { .. } => !S::IS_PLANE,
+            Operation::Collapse { from, .. } => mesh.vertices[from as usize].kind == Kind::Curve,
+            Operation::Flip { .. } | Operation::SplitVertex { .. } => false,
+        };
         crosses_line || !mesh.has_lock(&self.removed)
+    }
+
+    /// How many triangles vertices would have after an operation for which [`find`](Self::find) has found triangles, without
+    /// those that keep their number: in the plane that is known before anything else. A new vertex is [`NONE`].
+    pub(crate) fn foreseen(&self, mesh: &ArrayMesh<S>, operation: Operation) -> [(u32, u32); 4] {
+        let count = |v: u32| mesh.vertices[v as usize].triangles;
+        let more = |v: u32| (v, count(v) + 1);
+        let fewer = |v: u32| (v, count(v) - 1);
+        match operation {
+            Operation::Flip { triangle, corner } => {
+                let Quad { ends: [a, b], left, right, .. } = self.quad(mesh, triangle, corner);
+                [fewer(a), fewer(b), more(left), more(right.unwrap_or(left))]
+            }
+            Operation::Split { triangle, corner } => {
+                let Quad { left, right, .. } = self.quad(mesh, triangle, corner);
+                [more(left), more(right.unwrap_or(left)), (NONE, 4), (NONE, 0)]
+            }
+            Operation::Collapse { from, to } => {
+                let own = self.removed.len() as u32;
+                // The edge's two triangles go, and with them one at each vertex opposite it.
+                let mut opposite = self.removed.iter().filter_map(|t| {
+                    let vertices = mesh.triangles[*t as usize].vertices;
+                    let other = vertices.into_iter().find(|v| ![from, to].contains(v));
+                    other.filter(|_| vertices.contains(&to))
+                });
+                let mut next = || opposite.next().map_or((NONE, 0), fewer);
+                [(from, 0), (to, count(to) + own - 4), next(), next()]
+            }
+            Operation::SplitVertex { vertex, count: own, .. } => {
+                let own = u32::from(own);
+                // The first vertex counter-clockwise from the split one, and the last.
+                let rim = |t: u32, i: usize| {
+                    let triangle = &mesh.triangles[t as usize];
+                    triangle.vertices[(triangle.corner(vertex) + i) % 3]
+                };
+                let [first, last] = [self.removed[0], self.removed[self.removed.len() - 1]];
+                let ends = [more(rim(first, 1)), more(rim(last, 2))];
+                [ends[0], ends[1], (vertex, count(vertex) + 2 - own), (NONE, own + 2)]
+            }
+        }
     }
 
     /// Finds the triangles that the operation puts in place of those that [`open`](Self::open) has
@@ -328,10 +381,45 @@ pub(crate) fn operations<S: Manifold>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::array_mesh::tests::grid;
     use crate::surface::{OnSurface, Reference, work_mesh};
     use crate::{goal::Weights, options::Options};
     use glam::DVec3;
     use mindeg_surfaces::{FeatureRules, Surface};
+
+    #[test]
+    fn the_numbers_of_triangles_are_foreseen() {
+        let mut mesh = grid(5);
+        mesh.record();
+        let (mut cavity, mut list, mut seen) = (Cavity::default(), Vec::new(), [0; 4]);
+        for vertex in 0..mesh.vertices.len() as u32 {
+            operations(&mesh, vertex, true, &mut list);
+            for operation in list.clone() {
+                if !cavity.find(&mesh, operation) {
+                    continue;
+                }
+                let foreseen = cavity.foreseen(&mesh, operation);
+                let (mark, known) = (mesh.mark(), mesh.vertices.len() as u32);
+                if cavity.surround(&mesh, operation) && cavity.plan(&mut mesh, operation) {
+                    for &v in &cavity.vertices {
+                        let before = mesh.vertices[v as usize].triangles;
+                        let after = before.saturating_add_signed(cavity.growth(&mesh, v));
+                        let name = if v < known { v } else { NONE };
+                        let own = foreseen.iter().find(|(u, _)| *u == name);
+                        assert_eq!(own.map_or(before, |own| own.1), after, "{operation:?} {v}");
+                    }
+                    seen[match operation {
+                        Operation::Flip { .. } => 0,
+                        Operation::Split { .. } => 1,
+                        Operation::Collapse { .. } => 2,
+                        Operation::SplitVertex { .. } => 3,
+                    }] += 1;
+                }
+                mesh.undo(mark);
+            }
+        }
+        assert!(seen.iter().all(|count| *count > 20), "{seen:?}");
+    }
 
     /// A tube of rings of three vertices: an edge of a ring has the third vertex as a neighbour of both ends, though not as
     /// a corner of its triangles.

@@ -127,12 +127,21 @@ impl<'a, S: Manifold> Bench<'a, S> {
         allowance: f64,
         needed: f64,
     ) -> Option<Effect> {
-        // Most operations fail here, before anything is costly.
-        if !cavity.open(self.mesh, operation) || !cavity.plan(self.mesh, operation) {
+        // Most operations fail here, before anything is costly: in the plane by their degrees.
+        if !cavity.find(self.mesh, operation) {
             return None;
         }
-        let is_counted = cavity.vertices.iter().all(|v| S::counts_triangles(self.mesh, *v));
-        let known = if is_counted { Some(self.hard_change(cavity)) } else { None };
+        let foreseen = S::IS_PLANE.then(|| self.hard_change_foreseen(cavity, operation));
+        if foreseen.is_some_and(|change| change > allowance)
+            || !cavity.surround(self.mesh, operation)
+            || !cavity.plan(self.mesh, operation)
+        {
+            return None;
+        }
+        let counts = |v: &u32| S::counts_triangles(self.mesh, *v);
+        let is_counted = S::IS_PLANE || cavity.vertices.iter().all(counts);
+        let known = foreseen.or_else(|| is_counted.then(|| self.hard_change(cavity)));
+        debug_assert!(foreseen.is_none_or(|change| change == self.hard_change(cavity)));
         if known.is_some_and(|change| change > allowance) {
             return None;
         }
@@ -198,6 +207,21 @@ impl<'a, S: Manifold> Bench<'a, S> {
         });
         self.mesh.undo(mark);
         is_kept
+    }
+
+    /// The change of the cost of hard degree violations, from what is known before the operation is planned.
+    fn hard_change_foreseen(&self, cavity: &Cavity<S>, operation: Operation) -> f64 {
+        let foreseen = cavity.foreseen(self.mesh, operation);
+        let change = |&(v, after): &(u32, u32)| {
+            let excess = |triangles: u32| match triangles {
+                // Not there, or no longer.
+                0 => 0.0,
+                _ => f64::from(self.weights.excess_of(self.mesh, v, triangles).pow(2)),
+            };
+            let before = self.mesh.vertices.get(v as usize).map_or(0, |vertex| vertex.triangles);
+            excess(after) - excess(before)
+        };
+        foreseen.iter().map(change).sum::<f64>() * self.weights.degree
     }
 
     /// The change of the cost of hard degree violations.
