@@ -22,26 +22,28 @@ pub(crate) struct Item {
 
 /// A run of edges: the first end of the first, the last end of the last, and sums. Edges that do not hang together have
 /// the middle line of their box instead of these ends.
+///
+/// What searches look at comes first, on one line of a cache.
 #[derive(Debug, Clone, Copy)]
+#[repr(C, align(64))]
 pub(crate) struct Node {
     pub(crate) from: DVec2,
     pub(crate) to: DVec2,
     /// No point of the run is farther from the chord.
     pub(crate) spread: f64,
-    bounds: Bounds,
     pub(crate) least: f64,
     pub(crate) greatest: f64,
+    /// The second child; the first is the next node. 0 at a leaf.
+    right: u32,
+    pub(crate) is_straight: bool,
     /// The sum of the edges' lengths.
     pub(crate) length: f64,
     /// The sum of length times size.
     pub(crate) moment: f64,
     /// The sum of length times n n^T, with n the unit normal: xx, xy, yy.
     pub(crate) normals: [f64; 3],
-    pub(crate) is_straight: bool,
     /// The edge of a leaf.
     id: u32,
-    /// The second child; the first is the next node. 0 at a leaf.
-    right: u32,
 }
 
 /// The tree: nodes in preorder, one root for each ring.
@@ -100,11 +102,13 @@ impl EdgeTree {
         self.build(items, 0, &corners);
     }
 
-    fn build(&mut self, items: &[Item], offset: u32, corners: &[u32]) -> u32 {
+    /// The new node, and the box around its edges as far as they reach.
+    fn build(&mut self, items: &[Item], offset: u32, corners: &[u32]) -> (u32, Bounds) {
         let at = self.nodes.len();
         if let [item] = items {
             self.nodes.push(Node::leaf(item));
-            return at as u32;
+            let (min, max) = (item.from.min(item.to), item.from.max(item.to));
+            return (at as u32, Bounds { min: min - item.reach, max: max + item.reach });
         }
         // Split at the corner nearest to the middle, so that straight sides stay whole.
         let end = offset + items.len() as u32;
@@ -122,13 +126,14 @@ impl EdgeTree {
         // The place is taken first: nodes are in preorder.
         self.nodes.push(Node::leaf(&items[0]));
         let (first, second) = items.split_at((split - offset) as usize);
-        let left = self.build(first, offset, inner);
-        let right = self.build(second, split, inner);
-        let mut node = Node::join(&self.nodes[left as usize], &self.nodes[right as usize]);
+        let (left, a) = self.build(first, offset, inner);
+        let (right, b) = self.build(second, split, inner);
+        let bounds = Bounds { min: a.min.min(b.min), max: a.max.max(b.max) };
+        let mut node = Node::join(&self.nodes[left as usize], &self.nodes[right as usize], &bounds);
         node.is_straight = inner.is_empty();
         node.right = right;
         self.nodes[at] = node;
-        at as u32
+        (at as u32, bounds)
     }
 
     /// Calls `edge` with the id of every edge that no node above it excludes.
@@ -159,7 +164,7 @@ impl EdgeTree {
     pub(crate) fn nearest(&self, x: DVec2, within: f64) -> Option<(u32, f64)> {
         let mut best = (u32::MAX, within);
         for root in &self.roots {
-            self.nearest_below(*root, self.nodes[*root as usize].distance(x), x, &mut best);
+            self.nearest_below(*root, self.distance(*root, x), x, &mut best);
         }
         (best.0 != u32::MAX).then_some(best)
     }
@@ -172,7 +177,8 @@ impl EdgeTree {
         match self.children(at) {
             None => *best = (self.nodes[at as usize].id, distance),
             Some(children) => {
-                let bounds = children.map(|child| self.nodes[child as usize].distance(x));
+                let [a, b] = children;
+                let bounds = [self.distance(a, x), self.distance(b, x)];
                 let first = usize::from(bounds[1] < bounds[0]);
                 for child in [first, 1 - first] {
                     self.nearest_below(children[child], bounds[child], x, best);
@@ -190,8 +196,17 @@ impl EdgeTree {
 
     /// The same below one node.
     pub(crate) fn least_grown_below(&self, at: u32, growth: f64, x: DVec2, least: &mut f64) {
+        self.bounded_below(at, self.grown(at, growth, x), growth, x, least);
+    }
+
+    fn distance(&self, at: u32, x: DVec2) -> f64 {
+        self.nodes[at as usize].distance(x)
+    }
+
+    /// No edge below a node has less.
+    fn grown(&self, at: u32, growth: f64, x: DVec2) -> f64 {
         let node = &self.nodes[at as usize];
-        self.bounded_below(at, node.least + growth * node.distance(x), growth, x, least);
+        node.least + growth * node.distance(x)
     }
 
     /// `bound`: of the node.
@@ -201,16 +216,44 @@ impl EdgeTree {
         }
         match self.children(at) {
             Some(children) if !is_uniform(&self.nodes[at as usize]) => {
-                let bounds = children.map(|child| {
-                    let node = &self.nodes[child as usize];
-                    node.least + growth * node.distance(x)
-                });
+                let [a, b] = children;
+                let bounds = [self.grown(a, growth, x), self.grown(b, growth, x)];
                 let first = usize::from(bounds[1] < bounds[0]);
                 for child in [first, 1 - first] {
                     self.bounded_below(children[child], bounds[child], growth, x, least);
                 }
             }
             _ => *least = bound,
+        }
+    }
+
+    /// The greatest of size - growth * distance over all edges below a node, where that is above `greatest`.
+    pub(crate) fn greatest_shrunk_below(&self, at: u32, growth: f64, x: DVec2, greatest: &mut f64) {
+        let bound = self.shrunk(at, growth, x);
+        self.bounded_above(at, bound, growth, x, greatest);
+    }
+
+    /// No edge below a node has more.
+    fn shrunk(&self, at: u32, growth: f64, x: DVec2) -> f64 {
+        let node = &self.nodes[at as usize];
+        node.greatest - growth * node.distance(x)
+    }
+
+    /// `bound`: of the node.
+    fn bounded_above(&self, at: u32, bound: f64, growth: f64, x: DVec2, greatest: &mut f64) {
+        if bound <= *greatest {
+            return;
+        }
+        match self.children(at) {
+            Some(children) if !is_uniform(&self.nodes[at as usize]) => {
+                let [a, b] = children;
+                let bounds = [self.shrunk(a, growth, x), self.shrunk(b, growth, x)];
+                let first = usize::from(bounds[1] > bounds[0]);
+                for child in [first, 1 - first] {
+                    self.bounded_above(children[child], bounds[child], growth, x, greatest);
+                }
+            }
+            _ => *greatest = bound,
         }
     }
 
@@ -234,10 +277,6 @@ impl Node {
             from: item.from,
             to: item.to,
             spread: item.reach,
-            bounds: Bounds {
-                min: item.from.min(item.to) - item.reach,
-                max: item.from.max(item.to) + item.reach,
-            },
             least: item.size,
             greatest: item.size,
             length,
@@ -249,16 +288,14 @@ impl Node {
         }
     }
 
-    fn join(a: &Self, b: &Self) -> Self {
-        let bounds =
-            Bounds { min: a.bounds.min.min(b.bounds.min), max: a.bounds.max.max(b.bounds.max) };
-        let (from, to, spread) = if a.to == b.from { chord(a, b) } else { middle_line(&bounds) };
+    /// `bounds`: of the edges of both.
+    fn join(a: &Self, b: &Self, bounds: &Bounds) -> Self {
+        let (from, to, spread) = if a.to == b.from { chord(a, b) } else { middle_line(bounds) };
         let normals = [0, 1, 2].map(|i| a.normals[i] + b.normals[i]);
         Self {
             from,
             to,
             spread,
-            bounds,
             least: a.least.min(b.least),
             greatest: a.greatest.max(b.greatest),
             length: a.length + b.length,

@@ -208,24 +208,33 @@ impl Ground<'_> {
         }
         let travelled = place.distance(candidate.from);
         let within = if reach > 0.0 { travelled * (1.0 + 1e-9) } else { f64::INFINITY };
-        if !self.is_inside(place, within) {
+        let nearest = self.field.boundary().nearest(place, within);
+        if !self.is_inside_by(place, nearest, within) {
             return None;
         }
         let size = self.field.at(place);
-        let boundary = self.field.boundary().nearest(place, CLEARANCE * size);
+        // Points are most often in the way, and soonest found.
+        if near.nearest(place, self.spacing * size).is_some() {
+            return None;
+        }
+        let clear = CLEARANCE * size;
+        let boundary = match nearest {
+            None if within < clear => self.field.boundary().nearest(place, clear),
+            nearest => nearest.filter(|(_, distance)| *distance < clear),
+        };
         if let Some((edge, distance)) = boundary {
             let ends = [edge, self.outline.next(edge)].map(|v| self.outline.point(v));
             if is_crowded(place, ends, distance, size) {
                 return None;
             }
         }
-        if let Some((piece, distance)) = self.tree_of_pieces.nearest(place, CLEARANCE * size) {
+        if let Some((piece, distance)) = self.tree_of_pieces.nearest(place, clear) {
             let piece = self.pieces[piece as usize];
             if is_crowded(place, [piece.from, piece.to], distance, size) {
                 return None;
             }
         }
-        near.nearest(place, self.spacing * size).is_none().then_some((place, size))
+        Some((place, size))
     }
 
     /// Refuses a point where distances, which are as exact as the coordinates of the boundary, do not tell
@@ -242,7 +251,12 @@ impl Ground<'_> {
 
     /// True if `x` lies in the domain. `within`: a distance at which a point inside is known.
     fn is_inside(&self, x: DVec2, within: f64) -> bool {
-        match self.field.boundary().nearest(x, within) {
+        self.is_inside_by(x, self.field.boundary().nearest(x, within), within)
+    }
+
+    /// The same, given the nearest edge within that distance.
+    fn is_inside_by(&self, x: DVec2, nearest: Option<(u32, f64)>, within: f64) -> bool {
+        match nearest {
             None => within.is_finite(),
             Some((edge, _)) => is_inside_of(self.outline, edge, x),
         }

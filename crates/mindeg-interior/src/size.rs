@@ -2,7 +2,7 @@
 
 use crate::asked::{Asked, Wanted};
 use crate::cells::{AtPlace, Cells, Sources};
-use crate::edge_tree::{EdgeTree, Item, is_uniform};
+use crate::edge_tree::{EdgeTree, Item};
 use glam::DVec2;
 use mindeg_domain::SizeAt;
 use mindeg_mesh::planar::PlanarBoundary;
@@ -149,18 +149,7 @@ impl SizeField {
     fn shrunk(&self, x: DVec2, least: f64) -> f64 {
         let mut greatest = least;
         for (tree, root) in self.sources.edges() {
-            let mut stack = vec![root];
-            while let Some(at) = stack.pop() {
-                let node = &tree.nodes()[at as usize];
-                let bound = node.greatest - self.sources.growth * node.distance(x);
-                if bound <= greatest {
-                    continue;
-                }
-                match tree.children(at) {
-                    Some(children) if !is_uniform(node) => stack.extend(children),
-                    _ => greatest = bound,
-                }
-            }
+            tree.greatest_shrunk_below(root, self.sources.growth, x, &mut greatest);
         }
         greatest
     }

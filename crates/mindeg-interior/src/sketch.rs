@@ -226,12 +226,16 @@ impl<'a> Sketch<'a> {
     /// True if two vertices that stay may have an edge: no edge that stays crosses it.
     pub(crate) fn is_visible(&self, a: u32, b: u32) -> bool {
         let [p, q] = [a, b].map(|v| self.at(v));
+        let (low, high) = (p.min(q), p.max(q));
         let crosses = |u: u32, w: u32| {
             if [a, b].contains(&u) || [a, b].contains(&w) {
                 return false;
             }
             let [r, s] = [u, w].map(|v| self.at(v));
-            orientation(p, q, r) * orientation(p, q, s) <= 0.0
+            // Most edges are elsewhere.
+            let is_apart = r.min(s).cmpgt(high) | r.max(s).cmplt(low);
+            !is_apart.any()
+                && orientation(p, q, r) * orientation(p, q, s) <= 0.0
                 && orientation(r, s, p) * orientation(r, s, q) <= 0.0
         };
         self.edges.iter().all(|[u, w]| !crosses(*u, *w))
