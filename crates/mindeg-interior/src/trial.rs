@@ -69,6 +69,12 @@ impl<'a, S: Manifold> Bench<'a, S> {
 
     /// The cost of some vertices, of all triangles at those that can move, and of further triangles.
     pub(crate) fn cost(&mut self, vertices: &[u32], further: impl Iterator<Item = u32>) -> Cost {
+        self.gather(vertices, further);
+        self.sum(f64::INFINITY)
+    }
+
+    /// Finds the triangles that such a cost is of, and the cost of degrees.
+    fn gather(&mut self, vertices: &[u32], further: impl Iterator<Item = u32>) {
         self.round += 1;
         self.seen.resize(self.mesh.triangles.len().max(self.seen.len()), 0);
         self.patch.clear();
@@ -91,16 +97,18 @@ impl<'a, S: Manifold> Bench<'a, S> {
                 }
             }
         }
-        self.cost_after_moves()
     }
 
-    /// The cost of the vertices and triangles of the last one, which may have moved since.
-    fn cost_after_moves(&self) -> Cost {
+    /// The cost of what was gathered last, which may have moved since; no more is added once it is above `most`.
+    fn sum(&self, most: f64) -> Cost {
         let mut cost = Cost { energy: self.degrees, min_angle: 180.0, hard: self.hard };
         for t in &self.patch {
             let (energy, angle) = self.weights.triangle(self.mesh, *t);
             cost.energy += energy;
             cost.min_angle = cost.min_angle.min(angle);
+            if cost.energy > most {
+                break;
+            }
         }
         cost
     }
@@ -172,25 +180,33 @@ impl<'a, S: Manifold> Bench<'a, S> {
                 }
             }
         }
-        let mut after = self.cost(&cavity.vertices, added.clone());
-        if self.weights.by_share {
-            // Angles settle where they are in doubt, not where much would be lost even so.
-            if before.energy - after.hard - SETTLED * (after.energy - after.hard) < needed {
-                return None;
-            }
-            for v in &cavity.vertices {
-                let vertex = &self.mesh.vertices[*v as usize];
-                if vertex.kind.is_movable() && vertex.triangles > 0 {
-                    settle(self.mesh, *v, &self.weights, 0.03, &mut self.ring);
-                }
-            }
-            // Angles decide some degrees in space.
-            after = match is_counted {
-                true => self.cost_after_moves(),
-                false => self.cost(&cavity.vertices, added),
-            };
+        self.gather(&cavity.vertices, added.clone());
+        // Above rounding.
+        let hair = 1e-9 * (1.0 + before.energy.abs() + needed.abs());
+        let most = before.energy - needed + hair;
+        if !self.weights.by_share {
+            let after = self.sum(most);
+            return (after.energy <= most).then_some(Effect { before, after });
         }
-        Some(Effect { before, after })
+        // Angles settle where they are in doubt, not where much would be lost even so.
+        let left = before.energy - self.hard - needed;
+        let doubtful = self.hard + (left + hair) / SETTLED;
+        let after = self.sum(doubtful);
+        if after.energy > doubtful || left < SETTLED * (after.energy - after.hard) {
+            return None;
+        }
+        for v in &cavity.vertices {
+            let vertex = &self.mesh.vertices[*v as usize];
+            if vertex.kind.is_movable() && vertex.triangles > 0 {
+                settle(self.mesh, *v, &self.weights, 0.03, &mut self.ring);
+            }
+        }
+        // Angles decide some degrees in space.
+        if !is_counted {
+            self.gather(&cavity.vertices, added);
+        }
+        let after = self.sum(most);
+        (after.energy <= most).then_some(Effect { before, after })
     }
 
     /// True if operations in a row keep what the space wants to be kept. The mesh is as before.
