@@ -4,7 +4,7 @@ use glam::DVec2;
 use mindeg_mesh::planar::PlanarBoundary;
 
 /// The inner points of a boundary with those that divide segments, and the edges that segments are divided into.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Breaklines {
     /// After the outline's points.
     pub(crate) points: Vec<DVec2>,

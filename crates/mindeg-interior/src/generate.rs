@@ -5,7 +5,7 @@ use crate::asked::Asked;
 use crate::breaklines::Breaklines;
 use crate::finish::finish;
 use crate::fixed::{breaklines, crowded};
-use crate::goal::{Weights, goals};
+use crate::goal::{Goal, Weights, goals};
 use crate::joined::report_joined;
 use crate::lengths::SizeReport;
 use crate::limits::limits;
@@ -74,6 +74,26 @@ impl Begun {
     }
 }
 
+/// The aims at what stays, for one way to divide lines.
+struct Aims {
+    prefer: Prefer,
+    breaklines: Breaklines,
+    stars: Stars,
+    goals: Vec<Goal>,
+}
+
+impl Aims {
+    fn new(outline: &PlanarBoundary, breaklines: &Breaklines, options: &Options) -> Self {
+        let stars = Stars::new(outline, breaklines);
+        let goals = goals(outline, breaklines, &stars, options);
+        Self { prefer: options.wanted.prefer(), breaklines: breaklines.clone(), stars, goals }
+    }
+
+    fn are_of(&self, prefer: Prefer, breaklines: &Breaklines) -> bool {
+        self.prefer == prefer && self.breaklines == *breaklines
+    }
+}
+
 /// Fills an outline with interior points.
 ///
 /// The boundary stays as it is, and so do lines inside, but for those that [`Options::divisible`] lets be divided. Degrees and angles are aims: the search is heuristic, and the report says
@@ -99,6 +119,7 @@ pub fn generate(
     let mut wanted_sizes = None;
     let mut in_vain = 0;
     let mut begun = Vec::new();
+    let mut aims: Option<Aims> = None;
     // Where angles are preferred, the way that keeps degrees may still reach more.
     let ways: &[Prefer] = match options.wanted.prefer() {
         Prefer::Degree => &[Prefer::Degree],
@@ -113,14 +134,15 @@ pub fn generate(
         way.wanted.prefer = Some(*prefer);
         let is_gentle = options.wanted.growth.is_none();
         let (breaklines, field) = size_field(outline, &way, is_gentle)?;
-        let stars = Stars::new(outline, &breaklines);
-        let goals = goals(outline, &breaklines, &stars, &way);
+        // They are the same for all seeds, unless sizes divide lines.
+        let known = aims.take().filter(|aims| aims.are_of(*prefer, &breaklines));
+        let known = known.unwrap_or_else(|| Aims::new(outline, &breaklines, &way));
+        let Aims { stars, goals, .. } = &*aims.insert(known);
         let about = about_points(outline, &field);
         if about > 2.0 * options.wanted.max_points() as f64 {
             return Err(InteriorError::TooManyPoints { max: options.wanted.max_points() });
         }
-        let start =
-            Start { outline, stars: &stars, goals: &goals, breaklines: &breaklines, field: &field };
+        let start = Start { outline, stars, goals, breaklines: &breaklines, field: &field };
         let end = end_of_try(index, tries.len(), about);
         stage.section(end_of_start(&stage, end, about));
         let mut mesh =
@@ -141,15 +163,15 @@ pub fn generate(
         stage.section(end);
         // Where angles come first, no place is mended for its degrees.
         if *prefer == Prefer::Degree {
-            mend_places(&mut mesh, &way, &stars, floor, seed.trials, &mut stage)?;
+            mend_places(&mut mesh, &way, stars, floor, seed.trials, &mut stage)?;
         }
         finish(&mut mesh, &way, floor, &mut stage)?;
         mesh.check().map_err(InteriorError::NotFilled)?;
         let (points, triangles, _) = compact(&mesh);
         let wanted = Wanted {
             interior: options.wanted.interior_degree(),
-            goals: &goals,
-            stars: &stars,
+            goals,
+            stars,
             limits,
             most: counted(options),
         };
@@ -158,7 +180,7 @@ pub fn generate(
             self::limits(outline, |v| options.degree_limit(outline, v).max(has(v)))
         };
         let mut report = measure(&points, &triangles, &wanted, |v| v, limits_at);
-        report_joined(&mut report, outline, &stars, &way, (&points, &triangles));
+        report_joined(&mut report, outline, stars, &way, (&points, &triangles));
         let found = Generated { points, triangles, line_edges: breaklines.edges.clone(), report };
         // The first way has the wanted growth.
         wanted_sizes.get_or_insert(field);
