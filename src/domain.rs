@@ -110,7 +110,7 @@ pub(crate) fn name_in_text(domain: &Domain) -> Cow<'_, str> {
 pub(crate) enum Counted {
     /// Interval counts as typed.
     Counts(Vec<u64>),
-    /// What a file or options describe.
+    /// The subject that a file or options describe.
     Subject(Subject),
 }
 

@@ -7,11 +7,10 @@ use crate::domain::opened;
 use crate::failure::Failure;
 use crate::making::Making;
 use crate::terminal::say;
-use mindeg::glam::DVec2;
 use mindeg::stitch::{Gap, stitch};
 use mindeg::{Interior, TriMesh};
 use mindeg_answers::stitch::StitchAnswer;
-use mindeg_files::Wanted;
+use mindeg_files::{Wanted, look_like_degrees};
 
 pub(crate) fn run(arguments: &StitchArguments) -> Result<(), Failure> {
     let surface = &arguments.surface;
@@ -45,11 +44,4 @@ pub(crate) fn run(arguments: &StitchArguments) -> Result<(), Failure> {
     let answer = StitchAnswer::of(&found);
     let made = making.write(&found.mesh)?;
     made.say(|| answer.text(), || &answer)
-}
-
-/// Whether points are within degrees of longitude and latitude, and beyond what lengths of a small domain are.
-fn look_like_degrees(points: impl Iterator<Item = DVec2>) -> bool {
-    const SMALL: f64 = 20.0;
-    let most = points.fold(DVec2::ZERO, |most, point| most.max(point.abs()));
-    most.max_element() > SMALL && most.x <= 360.0 && most.y <= 90.0
 }

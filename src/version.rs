@@ -1,4 +1,4 @@
-//! What this build is.
+//! The facts of this build.
 
 use std::env::consts::{ARCH, OS};
 

@@ -1,4 +1,4 @@
-//! What ocean models need of a mesh: open water, and depths.
+//! The needs of ocean models: open water, and depths.
 
 use super::values::{Length, distance, place, seconds};
 use crate::failure::Failure;

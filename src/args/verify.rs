@@ -92,7 +92,7 @@ pub(crate) struct VerifyArguments {
 }
 
 impl VerifyArguments {
-    /// What the mesh must keep.
+    /// The demands on the mesh.
     pub(crate) fn all_demands(&self) -> VerifyDemands {
         VerifyDemands {
             demands: self.demands.demands(),

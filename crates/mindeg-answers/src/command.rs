@@ -35,7 +35,7 @@ impl Default for MeshCommand {
 
 const INSIDE: &[&str] = &["--interior"];
 
-/// What `mindeg mesh` needs to put points inside. A mesh that misses a demand is written all the same.
+/// The options with which `mindeg mesh` puts points inside. A mesh that misses a demand is written all the same.
 #[must_use]
 pub fn inside_options(domain: &Domain) -> &'static [&'static str] {
     let demands = domain.interior().is_some_and(|wanted| {
@@ -46,7 +46,7 @@ pub fn inside_options(domain: &Domain) -> &'static [&'static str] {
     if demands || domain.is_constrained() { &["--interior", "--write-anyway"] } else { INSIDE }
 }
 
-/// What it needs to put no points inside.
+/// The options with which it puts none inside.
 #[must_use]
 pub fn boundary_alone_options(domain: &Domain) -> &'static [&'static str] {
     if domain.interior().is_some() { &["--no-interior"] } else { &[] }

@@ -1,4 +1,4 @@
-//! What conditioning did to a boundary.
+//! The changes that conditioning made to a boundary.
 
 use crate::numbers::{count, four_digits, steady_angle};
 use mindeg::Domain;

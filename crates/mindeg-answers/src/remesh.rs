@@ -1,4 +1,4 @@
-//! What a remesh reached.
+//! The figures that a remesh reached.
 
 use crate::interior::DegreeViolation;
 use crate::loops::not_in_the_mesh;
@@ -226,7 +226,7 @@ fn things(number: usize, one: &str, many: &str) -> String {
     }
 }
 
-/// What was mended, in a sentence.
+/// The repairs, in a sentence.
 fn mended(repairs: &Repairs) -> String {
     let Repairs {
         welded_points,

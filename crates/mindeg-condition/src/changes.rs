@@ -1,4 +1,4 @@
-//! What was done, and what is left.
+//! The changes, and the places that are left.
 
 use glam::DVec2;
 
@@ -16,7 +16,7 @@ pub struct Point {
 /// One change of a boundary.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BoundaryChange {
-    /// What was done.
+    /// The change.
     pub kind: ChangeKind,
     /// Where.
     pub at: DVec2,

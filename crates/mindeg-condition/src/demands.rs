@@ -1,11 +1,11 @@
-//! What a boundary is asked for.
+//! The demands on a boundary.
 
 use crate::error::ConditionError;
 
 /// The least growth: below it, edges beside one that was halved would have to be halved, too, and so on.
 pub const LEAST_GROWTH: f64 = 0.35;
 
-/// What may happen to a vertex of a boundary.
+/// The changes that a vertex of a boundary may undergo.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Hold {
     /// Everything.

@@ -48,7 +48,7 @@ pub struct Projection {
     ellipsoid: Ellipsoid,
 }
 
-/// What the definition says.
+/// The kind of a projection, with its parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Kind {
     Utm { zone: u8, is_south: bool },
@@ -171,7 +171,7 @@ impl Projection {
         a.distance(b) / ground
     }
 
-    /// What people call it: "UTM zone 35 north".
+    /// Its name among people: "UTM zone 35 north".
     #[must_use]
     pub fn name(&self) -> String {
         match self.kind {

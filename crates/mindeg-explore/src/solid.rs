@@ -22,7 +22,7 @@ use crate::format::format_named;
 /// The most triangles that are shown.
 const MAX_TRIANGLES: usize = 400_000;
 
-/// What is done with a surface.
+/// The work on a surface.
 #[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum Change {
@@ -37,7 +37,7 @@ pub(crate) enum Change {
     Bridge,
 }
 
-/// What is asked of a surface, beside the bytes of its file.
+/// The wishes for a surface, beside the bytes of its file.
 #[derive(Clone, Debug, Deserialize)]
 pub(crate) struct Asked {
     /// The name of the file, whose extension tells its format.
@@ -61,7 +61,7 @@ pub(crate) struct Asked {
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct SolidShown {
     name: String,
-    /// What it is like, or what was done, in sentences.
+    /// Its state, or the changes, in sentences.
     words: String,
     vertices: usize,
     triangles: usize,

@@ -50,7 +50,7 @@ pub use kind::{Wanted, is_domain_name, is_mesh_name};
 pub use mesh::READING;
 pub use open::Content;
 pub use outputs::{Outputs, cannot_write, is_standard_output, write_to};
-pub use polygons::{PolygonFile, ReadOptions};
+pub use polygons::{PolygonFile, ReadOptions, look_like_degrees};
 pub use recipe::{Ingredient, Recipe};
 pub use session::Session;
 pub use targets::Targets;

@@ -3,6 +3,7 @@
 use crate::error::FileError;
 use crate::input::Input;
 use crate::session::Session;
+use glam::DVec2;
 use mindeg_domain::{Domain, Projection};
 use mindeg_outlines::{
     self as outlines, Division, DrawnInside, FillRule, Listed, OutlineError, OutlineFormat,
@@ -55,8 +56,22 @@ pub struct PolygonFile {
     dashes: &'static str,
 }
 
-/// Small planar drawings are no coasts: a note on degrees is for coordinates of which one is larger.
-const LEAST_DEGREES: f64 = 10.0;
+/// Whether planar coordinates look like degrees of longitude and latitude: all are within them, and one is larger than
+/// those of small drawings.
+///
+/// ```
+/// use mindeg_files::look_like_degrees;
+///
+/// let looks = |at: [f64; 2]| look_like_degrees([at.into()]);
+/// assert!(looks([24.0, 37.5]) && looks([-3.0, -12.0]) && looks([350.0, 0.0]));
+/// assert!(!looks([4.0, 3.0]) && !looks([24.0, 91.0]) && !looks([5e5, 60.0]));
+/// ```
+pub fn look_like_degrees(points: impl IntoIterator<Item = DVec2>) -> bool {
+    const SMALL: f64 = 10.0;
+    let greater = |most: DVec2, point: DVec2| most.max(point.abs());
+    let most = points.into_iter().fold(DVec2::ZERO, greater);
+    most.max_element() > SMALL && most.x <= 360.0 && most.y <= 90.0
+}
 
 impl PolygonFile {
     pub(crate) fn new(
@@ -87,8 +102,8 @@ impl PolygonFile {
         }
         let Outlines { features, mut inside, periodic, kinds, mut notes, .. } = outlines;
         let rings = features.iter().flat_map(|feature| &feature.rings);
-        let mut starts = rings.flat_map(|ring| ring.pieces.iter().map(|piece| piece.start));
-        if is_in_degrees && starts.any(|start| start.abs().max_element() > LEAST_DEGREES) {
+        let starts = rings.flat_map(|ring| ring.pieces.iter().map(|piece| piece.start));
+        if is_in_degrees && look_like_degrees(starts) {
             notes.push(format!(
                 "its coordinates look like degrees of longitude and latitude, and are taken as planar; {}project auto makes \
                  metres of them",

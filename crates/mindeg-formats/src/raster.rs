@@ -1,4 +1,4 @@
-//! What grids hold.
+//! The contents of grids.
 
 use glam::DVec2;
 

@@ -13,7 +13,7 @@ struct Rim<S: Space> {
     label: S::Label,
 }
 
-/// What a cavity is filled with.
+/// The triangles that fill a cavity.
 #[derive(Debug, Clone)]
 pub(crate) struct Filling<S: Space = Plane> {
     pub(crate) triangles: Vec<[u32; 3]>,

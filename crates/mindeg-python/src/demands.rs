@@ -6,7 +6,7 @@ use pyo3::prelude::*;
 
 use crate::work::value_error;
 
-/// What a mesh must keep.
+/// The demands on a mesh.
 pub(crate) fn demands(
     max_degree: Option<u32>,
     target_angle: Option<f64>,

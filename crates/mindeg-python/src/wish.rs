@@ -52,7 +52,7 @@ impl Wish<'_> {
         Ok(has_interior)
     }
 
-    /// What the mesh must keep.
+    /// The demands on the mesh.
     pub(crate) fn demands(&self) -> PyResult<Demands> {
         demands(None, None, self.preset.as_deref())
     }

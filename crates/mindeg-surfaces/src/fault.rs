@@ -7,7 +7,7 @@ use glam::DVec3;
 pub struct SurfaceFault {
     /// A point of the place, in units of length; not finite where a coordinate is not.
     pub place: DVec3,
-    /// What is wrong, with the triangles, counted from 0.
+    /// The fault, with the triangles, counted from 0.
     pub what: String,
 }
 

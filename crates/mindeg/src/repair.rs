@@ -14,7 +14,7 @@ use crate::error::MeshError;
 use crate::fill::{FillOptions, fill};
 use crate::loops::Loops;
 
-/// What was mended, each counted.
+/// The repairs, each counted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "json", derive(serde::Serialize))]
 pub struct Repairs {

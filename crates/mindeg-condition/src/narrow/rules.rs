@@ -1,4 +1,4 @@
-//! What is narrow, and what stays.
+//! The rules for narrow places, and for those that stay.
 
 use crate::demands::Hold;
 use glam::DVec2;

@@ -17,7 +17,7 @@ use glam::DVec3;
 use mindeg_mesh::{Cancelled, Progress};
 use mindeg_surfaces::{SizeRules, Surface};
 
-/// What is wanted of a mesh of a surface.
+/// The wishes for a mesh of a surface.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct RemeshOptions {
     /// The edge length where neither curvature nor features ask for less, in units of length. `None`: the mean edge of
@@ -79,7 +79,7 @@ pub struct OffDegree {
     pub allowed: [u32; 2],
 }
 
-/// What was reached.
+/// The figures that were reached.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RemeshReport {
     /// The vertices with fewer than 5 or more than 7 edges, and those on the boundary with more than 5.
@@ -111,7 +111,7 @@ pub struct Remeshed {
     pub sources: Vec<u32>,
     /// The curves of the surface, in order.
     pub curves: Vec<RemeshedCurve>,
-    /// What was reached.
+    /// The figures that were reached.
     pub report: RemeshReport,
 }
 

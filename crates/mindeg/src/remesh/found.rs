@@ -16,7 +16,7 @@ pub struct RemeshedPart {
     pub mesh: TriMesh,
     /// What the search reached: degrees, angles, and the corners that limit them.
     pub reached: RemeshReport,
-    /// What the checker found.
+    /// The findings of the checker.
     pub verified: VerifiedSurface,
     /// How far feature curves of the part are from those of the mesh, and back; `None` without curves.
     pub curves: Option<[DistanceBound; 2]>,

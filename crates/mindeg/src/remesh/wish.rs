@@ -1,6 +1,6 @@
 //! The wishes for a remesh.
 
-/// What is wanted of a remesh.
+/// The wishes for a remesh.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Remesh {
     /// The edge length where neither curvature nor near features ask for less, in units of length. `None`: the lesser of
