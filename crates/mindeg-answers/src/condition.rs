@@ -35,6 +35,8 @@ pub struct ConditionAnswer {
     pub dropped: usize,
     /// Points that were put on edges.
     pub inserted: usize,
+    /// Points of narrow inlets that were moved.
+    pub shifted: usize,
     /// Sharp corners that were cut off.
     pub cut: usize,
     /// Holes that were dropped.
@@ -66,7 +68,7 @@ pub struct ConditionAnswer {
 /// One change.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ChangeRow {
-    /// `dropped`, `inserted`, `cut`, `hole_dropped`, `inlet_closed`, `strait_closed`, `basin_dropped` or `spit_cut`.
+    /// `dropped`, `inserted`, `shifted`, `cut`, `hole_dropped`, `inlet_closed`, `strait_closed`, `basin_dropped` or `spit_cut`.
     pub kind: &'static str,
     /// Where.
     pub at: [f64; 2],
@@ -119,6 +121,7 @@ impl ConditionAnswer {
             let kind = match change.kind {
                 ChangeKind::Dropped => "dropped",
                 ChangeKind::Inserted => "inserted",
+                ChangeKind::Shifted => "shifted",
                 ChangeKind::Cut => "cut",
                 ChangeKind::HoleDropped => "hole_dropped",
                 ChangeKind::InletClosed => "inlet_closed",
@@ -136,6 +139,9 @@ impl ConditionAnswer {
                 }
                 Reason::Kept => "its points are to stay: keep fewer",
                 Reason::Short => "its edges would get too short: allow a larger distance",
+                Reason::Narrow => {
+                    "no better triangles were found of an inlet one edge wide: allow a larger distance, or close it by a least width"
+                }
             };
             let at = left.at.to_array();
             LeftRow { at, degrees: degrees(left.at), angle_limit: left.limit, reason }
@@ -151,6 +157,7 @@ impl ConditionAnswer {
             points: after.iter().map(points).sum(),
             dropped: count(ChangeKind::Dropped),
             inserted: count(ChangeKind::Inserted),
+            shifted: count(ChangeKind::Shifted),
             cut: count(ChangeKind::Cut),
             holes_dropped: count(ChangeKind::HoleDropped),
             inlets_closed: count(ChangeKind::InletClosed),
@@ -188,6 +195,13 @@ impl ConditionAnswer {
             (self.basins_dropped, "basin behind them dropped", "basins behind them dropped"),
             (self.spits_cut, "spit of land cut off", "spits of land cut off"),
         ];
+        if self.shifted > 0 {
+            let _ = writeln!(
+                text,
+                "{} moved",
+                plural(self.shifted, "point of narrow inlets", "points of narrow inlets")
+            );
+        }
         let narrow = narrow.into_iter().filter(|row| row.0 > 0);
         let narrow: Vec<String> = narrow.map(|(n, one, many)| plural(n, one, many)).collect();
         if !narrow.is_empty() {

@@ -27,6 +27,10 @@ pub(crate) struct Vertex {
     pub(crate) has_domain: [bool; 2],
     /// The dropped points that this edge stands for, in order.
     pub(crate) dropped: Vec<DVec2>,
+    /// How far a point that was put on an edge was from the old boundary then, at most.
+    pub(crate) off: f64,
+    /// Where it was before it was moved.
+    pub(crate) home: Option<DVec2>,
 }
 
 /// All rings and lines, and the log of changes.
@@ -42,6 +46,10 @@ pub(crate) struct Chains {
     marks: Vec<DVec2>,
     marked: Grid,
     pub(crate) changes: Vec<BoundaryChange>,
+    /// No edge is longer, once points are moved.
+    pub(crate) longest: f64,
+    /// How far points were moved at most.
+    pub(crate) shifted: f64,
 }
 
 impl Chains {
@@ -65,6 +73,8 @@ impl Chains {
                 is_alive: true,
                 has_domain: if next == NONE { [false; 2] } else { has_domain(edge) },
                 dropped: Vec::new(),
+                off: 0.0,
+                home: None,
             });
         };
         for (chain, range) in boundary.rings().enumerate() {
@@ -113,6 +123,8 @@ impl Chains {
             marked: Grid::new(&marks),
             marks,
             changes: Vec::new(),
+            longest: 0.0,
+            shifted: 0.0,
         };
         chains.meet();
         chains
@@ -233,13 +245,21 @@ impl Chains {
         (points(rings), points(lines))
     }
 
-    /// The greatest distance of a dropped point from the edge that stands for it.
+    /// The rings that are left.
+    pub(crate) fn ring_order(&self) -> Vec<Vec<u32>> {
+        let mut rings = self.order();
+        rings.truncate(self.rings);
+        rings.retain(|ring| !ring.is_empty());
+        rings
+    }
+
+    /// The greatest distance of a dropped point from the edge that stands for it, or of a moved one from its place.
     pub(crate) fn moved(&self) -> f64 {
         let of_edge = |vertex: u32| {
             let ends = [vertex, self.next(vertex)].map(|v| self.at(v));
             farthest(&self.vertices[vertex as usize].dropped, ends)
         };
-        self.edges().map(of_edge).fold(0.0, f64::max)
+        self.edges().map(of_edge).fold(self.shifted, f64::max)
     }
 
     /// Drops the holes of a smaller area, but for those with a point that stays.
@@ -272,7 +292,14 @@ impl Chains {
         let new = self.vertices.len() as u32;
         let next = self.next(vertex);
         let ends = [vertex, next].map(|v| self.at(v));
+        // Ends that were moved take the edge with them.
+        let moved = |v: u32| {
+            let own = &self.vertices[v as usize];
+            own.off + own.home.map_or(0.0, |home| home.distance(own.point.at))
+        };
+        let ends_off = moved(vertex).max(moved(next));
         let own = &mut self.vertices[vertex as usize];
+        let off = farthest(&own.dropped, ends).max(ends_off);
         // Points before the new one stay with the first half, in their order.
         let share = share_along(at, ends);
         let until = own.dropped.iter().position(|point| share_along(*point, ends) > share);
@@ -290,6 +317,8 @@ impl Chains {
             is_alive: true,
             has_domain,
             dropped,
+            off,
+            home: None,
         });
         self.vertices[next as usize].previous = new;
         self.grid.insert(new, at);

@@ -29,6 +29,8 @@ pub enum ChangeKind {
     Dropped,
     /// A point was put on an edge.
     Inserted,
+    /// A point of a narrow inlet was moved.
+    Shifted,
     /// A sharp corner was cut off.
     Cut,
     /// A hole was dropped.
@@ -87,4 +89,6 @@ pub enum Reason {
     Kept,
     /// The edges there would get too short to tell their points apart.
     Short,
+    /// An inlet about one edge wide: its triangles together reach no more, whatever single vertices allow.
+    Narrow,
 }

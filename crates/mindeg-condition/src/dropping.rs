@@ -56,7 +56,7 @@ impl Chains {
     }
 
     /// How far the boundary moves if a vertex is dropped; none if it may not be.
-    fn drop_distance(&self, vertex: u32, demands: &BoundaryDemands) -> Option<f64> {
+    pub(crate) fn drop_distance(&self, vertex: u32, demands: &BoundaryDemands) -> Option<f64> {
         let own = &self.vertices[vertex as usize];
         if own.hold > Hold::Free {
             return None;
@@ -82,7 +82,7 @@ impl Chains {
     }
 
     /// Drops a vertex. Returns its neighbours.
-    fn drop(&mut self, vertex: u32) -> [u32; 2] {
+    pub(crate) fn drop(&mut self, vertex: u32) -> [u32; 2] {
         let own = &mut self.vertices[vertex as usize];
         own.is_alive = false;
         let (u, w, at) = (own.previous, own.next, own.point.at);

@@ -31,6 +31,7 @@ mod dropping;
 mod edges;
 mod error;
 mod grid;
+mod inlets;
 mod narrow;
 mod stars;
 mod tips;
@@ -157,9 +158,15 @@ fn of_wide(
     chains.simplify(demands);
     chains.cut_tips(demands);
     chains.divide(demands)?;
+    let prove = |chains: &Chains| {
+        let (rings, lines) = chains.points();
+        Ok(checked(boundary, &rings, &lines)?.0)
+    };
+    let narrow_inlets = chains.widen_inlets(prove, demands)?;
     let (rings, lines) = chains.points();
     checked(boundary, &rings, &lines)?;
-    let (after, left, moved) = (chains.limit_of_all(), chains.left(demands), chains.moved());
+    let (after, mut left, moved) = (chains.limit_of_all(), chains.left(demands), chains.moved());
+    left.extend(narrow_inlets);
     let (changes, narrow) = (chains.changes, Vec::new());
     Ok(Conditioned { rings, lines, changes, left, narrow, before, after, moved })
 }

@@ -67,6 +67,13 @@ pub(crate) fn edge_limits(
     found
 }
 
+/// No triangle on an edge, with the fans that it leaves at both of the edge's ends, has a greater minimum angle, in degrees. `angles` are those
+/// at the ends between the edge and the next edges, in radians, `next` the lengths of these.
+#[must_use]
+pub fn edge_limit(angles: [f64; 2], length: f64, next: [f64; 2]) -> f64 {
+    Place { angles, length, next }.limit(PI / 3.0) * (180.0 / PI)
+}
+
 impl Place {
     fn new(at_first: &Sector, at_second: &Sector) -> Self {
         Self {

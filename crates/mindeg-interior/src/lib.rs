@@ -116,6 +116,7 @@ mod verdict;
 mod worth;
 
 pub use asked::size_of_area;
+pub use edge_limits::edge_limit;
 pub use generate::{Generated, generate};
 pub use improve::{Improved, Keep, improve};
 pub use lengths::{CoarseEdge, SizeReport};

@@ -1,0 +1,103 @@
+//! Points that are moved, as far as the boundary may move.
+
+use crate::chains::{Chains, NONE, farthest};
+use crate::changes::{BoundaryChange, ChangeKind};
+use crate::demands::{BoundaryDemands, Hold};
+use glam::DVec2;
+use mindeg_mesh::planar::orientation;
+
+impl Chains {
+    /// Where a point was before it was moved, and how far it may be from there; none if it may not be moved.
+    pub(super) fn reach(&self, vertex: u32, demands: &BoundaryDemands) -> Option<(DVec2, f64)> {
+        let own = &self.vertices[vertex as usize];
+        if own.hold > Hold::Free || own.previous == NONE || own.next == NONE {
+            return None;
+        }
+        // A point that was put on an edge is as far from the old boundary as that edge.
+        let off = match own.point.of {
+            Some(_) => 0.0,
+            None => own.off,
+        };
+        // A hair less, so that no rounding takes it farther.
+        let reach = (demands.within - off) * (1.0 - 1e-9);
+        (reach > 0.0).then_some((own.home.unwrap_or(own.point.at), reach))
+    }
+
+    /// How far the boundary is moved if a vertex goes somewhere; none if that is too far.
+    pub(super) fn shifted_by(
+        &self,
+        vertex: u32,
+        to: DVec2,
+        demands: &BoundaryDemands,
+    ) -> Option<f64> {
+        let (home, _) = self.reach(vertex, demands)?;
+        let own = &self.vertices[vertex as usize];
+        let [before, after] = [self.previous(vertex), self.next(vertex)];
+        let dropped = |v: u32, ends| farthest(&self.vertices[v as usize].dropped, ends);
+        let moved = home
+            .distance(to)
+            .max(dropped(before, [self.at(before), to]))
+            .max(dropped(vertex, [to, self.at(after)]));
+        (home.distance(to) <= demands.within - own.off && moved <= demands.within).then_some(moved)
+    }
+
+    /// Whether nothing lies between a vertex with its edges and where it is to go.
+    pub(super) fn is_shift_free(&self, vertex: u32, to: DVec2) -> bool {
+        let around = [self.previous(vertex), self.next(vertex)];
+        let at = self.at(vertex);
+        let places = [around[0], vertex, around[1]].map(|v| self.place(v));
+        let corners = around.map(|v| [self.at(v), at, to]);
+        if corners.iter().any(|corners| !self.is_free(*corners, places)) {
+            return false;
+        }
+        // An edge may pass through without a point there.
+        let all = [at, to, corners[0][0], corners[1][0]];
+        let longest = self.longest;
+        let low = all.into_iter().fold(DVec2::INFINITY, DVec2::min) - longest;
+        let high = all.into_iter().fold(DVec2::NEG_INFINITY, DVec2::max) + longest;
+        !self.grid.any_near([low, high], |edge| {
+            self.is_edge(edge)
+                && edge != vertex
+                && edge != around[0]
+                && corners.iter().any(|corners| self.is_in_the_way(edge, *corners, places))
+        })
+    }
+
+    /// Whether an edge meets a triangle elsewhere than at its first corner, which it may begin or end at.
+    fn is_in_the_way(&self, edge: u32, [first, at, to]: [DVec2; 3], places: [u32; 3]) -> bool {
+        let ends = [edge, self.next(edge)];
+        let points = ends.map(|v| self.at(v));
+        let touching = ends.iter().position(|v| places.contains(&self.place(*v)));
+        if let Some(own) = touching.filter(|own| points[*own] == first) {
+            // Towards the far side of the triangle.
+            let other = points[1 - own];
+            let sense = orientation(first, at, to);
+            return orientation(first, at, other) * sense >= 0.0
+                && orientation(first, to, other) * sense <= 0.0;
+        }
+        let crosses = |[a, b]: [DVec2; 2]| {
+            let sides = [orientation(a, b, points[0]), orientation(a, b, points[1])];
+            let own = [orientation(points[0], points[1], a), orientation(points[0], points[1], b)];
+            sides[0] * sides[1] <= 0.0 && own[0] * own[1] <= 0.0
+        };
+        [[first, at], [at, to], [to, first]].into_iter().any(crosses)
+    }
+
+    /// Moves a vertex.
+    pub(super) fn shift(&mut self, vertex: u32, to: DVec2, demands: &BoundaryDemands) {
+        let Some((home, _)) = self.reach(vertex, demands) else { return };
+        let before = self.previous(vertex);
+        let off = self.vertices[vertex as usize].off;
+        self.shifted = self.shifted.max(home.distance(to) + off);
+        let own = &mut self.vertices[vertex as usize];
+        if own.home.is_none() {
+            own.home = Some(home);
+            self.changes.push(BoundaryChange { kind: ChangeKind::Shifted, at: home });
+        }
+        own.point.at = to;
+        own.point.of = None;
+        self.grid.insert(vertex, to);
+        let longest = self.length(before).max(self.length(vertex));
+        self.longest = self.longest.max(longest);
+    }
+}
