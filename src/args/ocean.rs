@@ -17,8 +17,8 @@ use std::path::PathBuf;
 #[derive(Clone, Debug, Default, Args)]
 #[command(next_help_heading = "Ocean models")]
 pub(crate) struct BoundaryKinds {
-    /// Sides that are open water, by name, or box: the longest stretch on the box around the domain (of its degrees, if
-    /// projected). The others are land, and holes islands. May be repeated
+    /// Sides that are open water, by name, or box: the longest stretch on the box around the domain. The rest is land, and
+    /// holes islands. May be repeated
     #[arg(long, value_name = "box|NAME")]
     pub(crate) open: Vec<String>,
 
@@ -27,7 +27,7 @@ pub(crate) struct BoundaryKinds {
     #[arg(long, value_name = "x,y", num_args = 2, value_parser = place, allow_hyphen_values = true)]
     pub(crate) open_between: Vec<[f64; 2]>,
 
-    /// Open all stretches on the box that are at least so long, 0 for all of them. Other stretches that are shorter are land, too
+    /// All stretches on the box that are at least so long are open; shorter ones are land
     #[arg(long, value_name = "LENGTH", value_parser = distance, allow_hyphen_values = true)]
     pub(crate) least_opening: Option<Length>,
 }
