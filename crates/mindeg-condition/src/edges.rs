@@ -74,9 +74,9 @@ impl Chains {
             }
             shortest = shortest.min(length);
         }
-        let is_uneven = longest.0 > UNEVEN * shortest
-            && self.limit(vertex) < demands.angle
-            && self.angle(vertex).to_degrees() >= demands.angle;
+        // A corner that is too sharp gets the angle that it has, but for rounding.
+        let wanted = demands.angle.min(self.angle(vertex).to_degrees() * (1.0 - 1e-9));
+        let is_uneven = longest.0 > UNEVEN * shortest && self.limit(vertex) < wanted;
         long.extend(is_uneven.then_some(longest.1));
         long
     }

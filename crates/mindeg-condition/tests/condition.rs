@@ -135,6 +135,19 @@ fn a_tip_is_cut_as_far_as_is_allowed_and_named_if_that_is_not_at_all() {
 }
 
 #[test]
+fn a_corner_that_is_too_sharp_gets_edges_for_the_angle_that_it_has() {
+    let corner = 16.0_f64;
+    let far = 20.0 * DVec2::from_angle(corner.to_radians());
+    let wedge = vec![DVec2::ZERO, DVec2::new(3.0, 0.0), DVec2::new(12.0, -9.0), far];
+    let found = conditioned(std::slice::from_ref(&wedge), &BoundaryDemands::default());
+    // Of three triangles, since one would have a long side and a short one.
+    assert!((found.before - corner / 3.0).abs() < 1e-6, "{}", found.before);
+    assert!((found.after - corner).abs() < 1e-6, "{}", found.after);
+    assert_eq!((found.left[0].at, found.left[0].reason), (DVec2::ZERO, Reason::Sharp));
+    assert!(apart(&[wedge], &places(&found)) < 1e-12);
+}
+
+#[test]
 fn small_holes_are_dropped_and_kept_edges_stay_whole() {
     let square = ring(&[[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0]]);
     let hole = |x: f64, size: f64| ring(&[[x, 5.0], [x, 5.0 + size], [x + size, 5.0]]);
