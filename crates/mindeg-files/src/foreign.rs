@@ -3,7 +3,7 @@
 /// Extensions, what such a file is, and what turns it into one that mindeg reads.
 const FOREIGN: &[(&[&str], &str, &str)] = &[
     (
-        &["shp", "shx", "dbf", "gpkg", "kml", "gml", "gdb"],
+        &["shp", "shx", "dbf", "gpkg", "kml", "gml", "gdb", "fgb", "parquet"],
         "a map of a geographic program",
         "`ogr2ogr outline.geojson FILE` writes its polygons as GeoJSON",
     ),
@@ -57,7 +57,7 @@ pub(crate) fn advice(extension: &str, file: &str) -> Option<String> {
 /// The usual extension of a file of other programs, by its first bytes.
 pub(crate) fn extension_of(bytes: &[u8]) -> Option<&'static str> {
     let text = bytes.trim_ascii_start();
-    let starts: [(&[u8], &str); 15] = [
+    let starts: [(&[u8], &str); 17] = [
         (&[0, 0, 0x27, 0x0a], "shp"),
         (b"ISO-10303-21", "step"),
         (b"SetFactory", "geo"),
@@ -66,6 +66,8 @@ pub(crate) fn extension_of(bytes: &[u8]) -> Option<&'static str> {
         (b"%PDF", "pdf"),
         (b"Kaydara FBX", "fbx"),
         (b"SQLite format 3", "gpkg"),
+        (b"fgb\x03", "fgb"),
+        (b"PAR1", "parquet"),
         (b"CDF\x01", "nc"),
         (b"CDF\x02", "nc"),
         (b"CDF\x05", "nc"),

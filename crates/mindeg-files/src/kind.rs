@@ -178,6 +178,8 @@ mod tests {
     fn files_of_other_programs_are_named_with_a_way_in() {
         for (path, text, words) in [
             ("coast.shp", "\0\0\x27\x0a\0", "ogr2ogr outline.geojson FILE"),
+            ("coast.parquet", "PAR1\x15\x04", "ogr2ogr outline.geojson FILE"),
+            ("coast", "fgb\x03fgb\0", "ogr2ogr outline.geojson FILE"),
             ("x.geo", "lc = 1;\nPoint(1) = {0, 0, 0};", "gmsh -1 FILE -o outline.msh"),
             ("x.geo", "Point(1) = {0, 0, 0};", "gmsh -1 FILE -o outline.msh"),
             ("geo.txt2", "SetFactory(\"OpenCASCADE\");", "gmsh -1 FILE"),
