@@ -14,10 +14,8 @@ use std::ops::Range;
 pub(crate) fn sections<'a>(mesh: &'a dyn Mesh, boundary: MarkedChains<'_>) -> Vec<Section<'a>> {
     let name = one_line(mesh_name(mesh));
     let (elements, nodes) = (mesh.triangle_count(), mesh.vertex_count());
-    let head = format!(
-        "{name}\n {elements} {nodes} = number of elements and of nodes, by {}\n",
-        made_by(mesh)
-    );
+    // OCSMesh reads no line with more than the two numbers.
+    let head = format!("{name}\n {elements} {nodes}\n");
     let corners = |range| corners_from_one(mesh, range).map(|corners| ([3], corners));
     let mut sections = vec![
         Section::bytes(head),
@@ -25,10 +23,11 @@ pub(crate) fn sections<'a>(mesh: &'a dyn Mesh, boundary: MarkedChains<'_>) -> Ve
         numbered_lines(" ", 0..elements, corners),
     ];
     let [open, closed] = segments(&boundary);
-    for (kind, boundaries) in [("open", open), ("land", closed)] {
+    let by = format!(", by {}", made_by(mesh));
+    for (kind, by, boundaries) in [("open", &*by, open), ("land", "", closed)] {
         let nodes: u64 = boundaries.iter().map(|segment| segment.node_count()).sum();
         sections.push(Section::bytes(format!(
-            " {} = number of {kind} boundaries\n {nodes} = number of all nodes of {kind} \
+            " {} = number of {kind} boundaries{by}\n {nodes} = number of all nodes of {kind} \
              boundaries\n",
             boundaries.len()
         )));
