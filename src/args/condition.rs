@@ -54,7 +54,7 @@ pub(crate) struct ConditionArguments {
     #[arg(short, long, value_name = "FILE", help_heading = None)]
     pub(crate) output: Option<PathBuf>,
 
-    /// Print the changes as JSON: points_before, points, dropped, inserted, cut, holes_dropped, inlets_closed,
+    /// Print the changes as JSON: points_before, points, dropped, inserted, shifted, cut, holes_dropped, inlets_closed,
     /// straits_closed, basins_dropped, spits_cut, moved, angle_limit_before, angle_limit, is_reached, and the lists changes, left
     /// and narrow
     #[arg(long, help_heading = None)]
