@@ -57,7 +57,7 @@ pub(crate) struct DomainOptions {
 }
 
 impl DomainOptions {
-    /// Those of a command line, as words. They name the same domain to any command.
+    /// The options of a command line, as words. They name the same domain to any command.
     pub(crate) fn given(command: &ArgMatches) -> Vec<String> {
         let all = Self::augment_args(clap::Command::new("domain"));
         let is_given = |id| command.value_source(id) == Some(ValueSource::CommandLine);
@@ -70,7 +70,7 @@ impl DomainOptions {
             }
             for value in command.get_raw(option.get_id().as_str()).into_iter().flatten() {
                 let value = value.to_string_lossy();
-                // What begins with a dash would look like an option.
+                // A value that begins with a dash would look like an option.
                 if value.starts_with('-') {
                     words.push(format!("{name}={value}"));
                 } else {

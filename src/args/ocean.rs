@@ -79,7 +79,7 @@ impl BoundaryKinds {
         Ok(Cow::Owned(new))
     }
 
-    /// What there is to say of stretches that were asked for and are land: all of them, with what opens them.
+    /// A note on stretches that were asked for and are land: all of them, with the options that open them.
     fn of_land(&self, openings: Vec<Opening>, is_projected: bool) -> Option<String> {
         let length = |length: f64| match is_projected {
             true if length >= 1000.0 => format!("{}km", significant(length / 1000.0, 3)),

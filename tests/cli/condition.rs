@@ -44,7 +44,7 @@ fn nothing_moves_without_a_distance_and_nothing_farther_with_one() {
     assert_eq!(still["left"][0]["at"], json!([0.0, 0.0]));
     assert_eq!(still["left"][0]["reason"], "the corner is sharper: allow a larger distance");
     let moved = mindeg_reading(["condition", "-", "--within", "0.5", "--json"], WEDGE).json();
-    // What is left of the tip is one edge wide, and its triangles have a little less.
+    // The rest of the tip is one edge wide, and its triangles have a little less.
     assert_eq!((&moved["is_reached"], &moved["cut"]), (&json!(false), &json!(1)));
     assert!(moved["left"][0]["angle_limit"].as_f64().expect("an angle") > 24.0);
     assert!(moved["moved"].as_f64().expect("a length") <= 0.5);

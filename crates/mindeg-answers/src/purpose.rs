@@ -8,7 +8,7 @@ use std::str::FromStr;
 /// The share of Delaunay's minimum angle that a patch keeps, at least.
 pub const KEPT: f64 = 0.95;
 
-/// What a mesh is for.
+/// The purpose of a mesh.
 ///
 /// ```
 /// use mindeg_answers::advice::Purpose;

@@ -89,7 +89,7 @@ impl Chains {
             if limit >= demands.angle {
                 break;
             }
-            // What it reaches, up to the demand, and how far it moves the shore.
+            // The angle that each reaches, up to the demand, how far it moves the shore, and the step.
             let mut steps: Vec<(f64, f64, Step)> = Vec::new();
             for step in self.steps(&inlet, demands) {
                 let Some((reached, moved)) = self.try_step(step, &inlet, demands) else { continue };

@@ -13,6 +13,12 @@ const MOST_INSIDE: u32 = 7;
 /// The room between two edges at a vertex: its angle in radians, and their lengths.
 type Sector = (f64, [f64; 2]);
 
+/// The angle from one direction counter-clockwise to another, above 0, in radians.
+pub(crate) fn angle_to(from: DVec2, to: DVec2) -> f64 {
+    let angle = libm::atan2(from.perp_dot(to), from.dot(to));
+    if angle <= 0.0 { angle + TAU } else { angle }
+}
+
 impl Chains {
     /// The limit at a vertex, in degrees.
     pub(crate) fn limit(&self, vertex: u32) -> f64 {
@@ -64,9 +70,7 @@ impl Chains {
             if !has_left {
                 arcs.push(Vec::new());
             } else if let Some(arc) = arcs.last_mut() {
-                let angle = libm::atan2(from.perp_dot(to), from.dot(to));
-                let angle = if angle <= 0.0 { angle + TAU } else { angle };
-                arc.push((angle, [from.length(), to.length()]));
+                arc.push((angle_to(*from, to), [from.length(), to.length()]));
             }
         }
         arcs.retain(|arc| !arc.is_empty());

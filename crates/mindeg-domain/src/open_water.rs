@@ -410,7 +410,7 @@ mod tests {
         let all = told(&[OpenWater::Box], Some(0.0));
         assert_eq!(all, [(3.0, true), (1.0, true), (2.0, true)]);
         assert!(told(&[OpenWater::Box], Some(1.5))[1..] == [(1.0, false), (2.0, true)]);
-        // What is asked for by its place is open, and the box has its longest stretch beside it.
+        // A stretch between two points is open, and the box has its longest one beside it.
         let north = OpenWater::Between([[2.0, 4.0], [1.0, 4.0]].map(DVec2::from));
         let both = told(&[OpenWater::Box, north], None);
         assert_eq!(both, [(3.0, true), (1.0, true), (2.0, false)]);

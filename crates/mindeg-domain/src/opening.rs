@@ -29,8 +29,8 @@ pub struct Opening {
     pub is_open: bool,
 }
 
-/// The stretches that are asked to be open. Those that are to be land are asked no more: those shorter than a length; without one
-/// those of the box alone but for the longest.
+/// The stretches that are asked to be open. Of these, the ones shorter than a length are to be land, and asked no more; without a
+/// length, all of the box alone but the longest.
 pub(crate) fn openings(
     domain: &Domain,
     asked: &mut [Asked],

@@ -85,8 +85,7 @@ const SIZES: &str = "file of sizes";
 fn field_of(name: &str, bytes: &[u8]) -> Result<Field, FileError> {
     Field::read(bytes).map_err(|error| {
         // Faults of what is read are told as they are.
-        let is_read = bytes.starts_with(b"CDF") || bytes.starts_with(b"\x93NUMPY");
-        let foreign = foreign::extension_of(bytes).filter(|_| !is_read);
+        let foreign = foreign::extension_of(bytes).filter(|_| !Field::is_array(bytes));
         let advice = foreign.and_then(|extension| foreign::advice(extension, name));
         FileError::wrong(format!("{name}: {}", advice.unwrap_or(error.to_string())))
     })

@@ -59,6 +59,18 @@ impl Field {
             )),
         }
     }
+
+    /// True if a file is an array, in classic NetCDF or of numpy, whatever is wrong with it.
+    ///
+    /// ```
+    /// use mindeg_formats::Field;
+    ///
+    /// assert!(Field::is_array(b"CDF\x01") && Field::is_array(b"\x93NUMPY") && !Field::is_array(b"PK"));
+    /// ```
+    #[must_use]
+    pub fn is_array(file: &[u8]) -> bool {
+        Format::of_content(file) == Some(Format::Ugrid) || file.starts_with(npz::MAGIC)
+    }
 }
 
 /// Reads an ESRI grid: a head of names and numbers, then rows from the greatest y on.

@@ -23,7 +23,7 @@ pub(crate) struct Item {
 /// A run of edges: the first end of the first, the last end of the last, and sums. Edges that do not hang together have
 /// the middle line of their box instead of these ends.
 ///
-/// What searches look at comes first, on one line of a cache.
+/// The fields that searches look at come first, on one line of a cache.
 #[derive(Debug, Clone, Copy)]
 #[repr(C, align(64))]
 pub(crate) struct Node {

@@ -197,7 +197,7 @@ pub fn write_linked_html(
         ),
         verdict: verdict(report),
         choice: tables::choice(report),
-        commands: commands_without_mesh(report, command),
+        commands: commands_without_mesh(report),
         is_in_space: false,
         is_map: report.domain.regions.is_some(),
         curve: comparison.trade_off().map(|curve| small_curve(report, curve)).transpose()?,
@@ -302,9 +302,9 @@ pub(super) fn facts(
 }
 
 /// The commands that make the advised meshes, the one to take first.
-pub(super) fn commands(report: &Report, command: &MeshCommand) -> Vec<String> {
+pub(super) fn commands(report: &Report) -> Vec<String> {
     let purposes = report.advice.purposes(report.purpose);
-    purposes.into_iter().map(|purpose| command.advised(purpose)).collect()
+    purposes.into_iter().map(|purpose| report.provenance.mesh.advised(purpose)).collect()
 }
 
 fn advised_for(purpose: Purpose) -> &'static str {
@@ -321,11 +321,11 @@ pub(super) fn vertex_words(regions: Option<u32>) -> &'static str {
 }
 
 /// The commands whose mesh the comparison does not have.
-fn commands_without_mesh(report: &Report, command: &MeshCommand) -> Vec<String> {
+fn commands_without_mesh(report: &Report) -> Vec<String> {
     let shown: Vec<Purpose> = advised(report).into_iter().map(|(purpose, _)| purpose).collect();
     let purposes = report.advice.purposes(report.purpose);
     let missing = purposes.into_iter().filter(|purpose| !shown.contains(purpose));
-    missing.map(|purpose| command.advised(purpose)).collect()
+    missing.map(|purpose| report.provenance.mesh.advised(purpose)).collect()
 }
 
 /// The meshes that the verdict compares, the advised one first, and the others.

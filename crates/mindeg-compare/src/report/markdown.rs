@@ -46,7 +46,7 @@ pub fn write_markdown(comparison: &Comparison, mut out: impl Write) -> io::Resul
     for sentence in verdict(report).sentences() {
         writeln!(out, "{}\n", escaped(sentence))?;
     }
-    writeln!(out, "```sh\n{}\n```\n", commands(report, &report.provenance.mesh).join("\n"))?;
+    writeln!(out, "```sh\n{}\n```\n", commands(report).join("\n"))?;
     write_table(&mut out, 2, &tables::choice(report))?;
     write_table(&mut out, 2, &tables::overview(report))?;
     if let Some(table) = tables::interior(report) {

@@ -1,11 +1,11 @@
 //! The greatest minimum angle of triangles whose corners are an inlet's shore.
 
 use crate::chains::Chains;
+use crate::stars::angle_to;
 use glam::DVec2;
 use mindeg_interior::{Options, edge_limit, generate};
 use mindeg_mesh::Progress;
 use mindeg_mesh::planar::PlanarBoundary;
-use std::f64::consts::TAU;
 
 /// The mouth is at most so many edges of the shore further in on each side.
 const INWARD: usize = 2;
@@ -74,11 +74,8 @@ fn outside(
     let before = if from == 0 { before } else { points[from - 1] };
     let after = if to == last { after } else { points[to + 1] };
     // Counter-clockwise from the first to the second.
-    let fan = |center: DVec2, first: DVec2, second: DVec2| {
-        let [a, b] = [first - center, second - center];
-        let angle = libm::atan2(a.perp_dot(b), a.dot(b));
-        if angle <= 0.0 { angle + TAU } else { angle }
-    };
+    let fan =
+        |center: DVec2, first: DVec2, second: DVec2| angle_to(first - center, second - center);
     let [a, b] = [points[from], points[to]];
     let angles = [fan(a, b, before), fan(b, after, a)];
     Some(edge_limit(angles, a.distance(b), [a.distance(before), b.distance(after)]))
@@ -122,6 +119,7 @@ fn least_angle(corners: [DVec2; 3]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::f64::consts::TAU;
 
     #[test]
     fn the_best_triangulation_is_found() {
