@@ -6,10 +6,13 @@ use crate::domain::{Parts, Subject, UNNAMED, describe, name, opened};
 use crate::failure::Failure;
 use crate::interrupt::clean_up_on_interrupt;
 use crate::standard_output::{print, print_json};
+use mindeg::Domain;
 use mindeg::interior::condition_all;
 use mindeg_answers::condition::ConditionAnswer;
 use mindeg_answers::names::shown;
+use mindeg_compare::write_changes_svg;
 use mindeg_files::{Wanted, is_standard_output};
+use std::path::Path;
 
 pub(crate) fn run(arguments: &ConditionArguments) -> Result<(), Failure> {
     clean_up_on_interrupt()?;
@@ -39,18 +42,34 @@ pub(crate) fn run(arguments: &ConditionArguments) -> Result<(), Failure> {
             )));
         }
     };
-    let drawn = |path| (answer.drawn(&domains, &new).to_string(), path);
-    let changes_file = arguments.change.changes.as_deref().map(drawn);
+    let title = match &domains[..] {
+        [domain] => name(domain),
+        _ => shown(of_all.as_deref().unwrap_or(UNNAMED)),
+    };
+    let drawn = |path| Ok::<_, Failure>((drawn(&answer, &title, [&domains, &new], path)?, path));
+    let changes_file = arguments.change.changes.as_deref().map(drawn).transpose()?;
     let files: Vec<_> = changes_file.into_iter().chain(domain_file).collect();
     describe::write_texts(&files)?;
     if files.iter().any(|(_, path)| is_standard_output(path)) {
         return Ok(());
     }
-    let title = match &domains[..] {
-        [domain] => name(domain),
-        _ => shown(of_all.as_deref().unwrap_or(UNNAMED)),
-    };
     if arguments.json { print_json(&answer) } else { print(&answer.text(&title)) }
+}
+
+/// The changes as a file shows them: a picture, or GeoJSON.
+pub(crate) fn drawn(
+    answer: &ConditionAnswer,
+    title: &str,
+    [old, new]: [&[Domain]; 2],
+    path: &Path,
+) -> Result<String, Failure> {
+    if !path.extension().is_some_and(|name| name.eq_ignore_ascii_case("svg")) {
+        return Ok(answer.drawn(old, new).to_string());
+    }
+    let mut picture = Vec::new();
+    let written = write_changes_svg(title, answer, [old, new], &mut picture);
+    written.map_err(|error| Failure::Io(error.to_string()))?;
+    Ok(String::from_utf8_lossy(&picture).trim_end().to_owned())
 }
 
 /// Refuses lengths in metres where coordinates are degrees.

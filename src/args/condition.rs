@@ -86,8 +86,8 @@ pub(crate) struct ChangeArguments {
     #[arg(long, value_name = "NAME")]
     pub(crate) keep: Vec<String>,
 
-    /// Write boundaries, changes and places below the limit as GeoJSON, in degrees if projected
-    #[arg(long, value_name = "FILE")]
+    /// Draw boundaries, changes and places below the limit: a picture (.svg), or a GeoJSON, in degrees if projected
+    #[arg(long, value_name = "FILE", value_parser = changes_file)]
     pub(crate) changes: Option<PathBuf>,
 }
 
@@ -129,6 +129,16 @@ pub(super) fn angle(text: &str) -> Result<f64, String> {
     let angle = text.trim().trim_end_matches('°').parse().ok();
     let angle = angle.filter(|angle| *angle > 0.0 && *angle <= 40.0);
     angle.ok_or_else(|| "give an angle above 0 and at most 40 degrees, such as 25".to_owned())
+}
+
+/// A file that can take changes.
+fn changes_file(text: &str) -> Result<PathBuf, String> {
+    let path = PathBuf::from(text);
+    let extension = path.extension().map(|name| name.to_string_lossy().to_lowercase());
+    if text == "-" || matches!(extension.as_deref(), Some("svg" | "geojson" | "json")) {
+        return Ok(path);
+    }
+    Err("changes are drawn to .svg, and listed in .geojson or .json".to_owned())
 }
 
 /// A growth that halving edges can reach.

@@ -2,6 +2,7 @@
 
 use super::features::SEPARATE;
 use crate::args::MeshArguments;
+use crate::condition::drawn;
 use crate::demands::met_or_written_anyway;
 use crate::domain::describe::write_texts;
 use crate::domain::{Parts, name};
@@ -180,10 +181,11 @@ fn conditioned<'d>(
 fn draw_changes(
     arguments: &MeshArguments,
     changes: Option<&ConditionAnswer>,
-    [old, new]: [&[Domain]; 2],
+    title: &str,
+    both: [&[Domain]; 2],
 ) -> Result<(), Failure> {
     match (changes, &arguments.change.changes) {
-        (Some(changes), Some(path)) => write_texts(&[(changes.drawn(old, new).to_string(), path)]),
+        (Some(changes), Some(path)) => write_texts(&[(drawn(changes, title, both, path)?, path)]),
         _ => Ok(()),
     }
 }
@@ -217,7 +219,7 @@ pub(super) fn run(
     let end = met_or_written_anyway(&unmet, arguments.interior.wanted.write_anyway)?;
 
     let made = making.write(mesh)?;
-    draw_changes(arguments, conditioned.as_ref(), [old, &domains])?;
+    draw_changes(arguments, conditioned.as_ref(), &self::name(domain), [old, &domains])?;
     let summary = Summary {
         name: domain.name(),
         intervals: domain.rings().sides().collect(),
@@ -271,7 +273,8 @@ pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Res
     let end = met_or_written_anyway(&unmet, arguments.interior.wanted.write_anyway)?;
 
     let made = making.write(mesh)?;
-    draw_changes(arguments, conditioned.as_ref(), [&old, &domains])?;
+    let title = shown(name.unwrap_or("map"));
+    draw_changes(arguments, conditioned.as_ref(), &title, [&old, &domains])?;
     let lifting = Lifting { limit: limit.clone(), steps: Vec::new() };
     let regions = region_count(domains.iter());
     let summary = Summary {

@@ -106,6 +106,73 @@ fn a_border_of_a_map_is_changed_once_for_both_regions() {
     assert_eq!((&kept["dropped"], &kept["is_reached"]), (&json!(0), &json!(false)));
 }
 
+/// How often something is in a text.
+fn times(text: &str, of: &str) -> usize {
+    text.matches(of).count()
+}
+
+/// How far a spit that was cut off was from the new boundary, by the words of its mark, and these.
+fn lost(tip: &str) -> Option<(f64, &str)> {
+    let tip = tip.split_once("</title>")?.0;
+    let length = tip.strip_suffix(" m from the new line")?.rsplit_once(' ')?.1;
+    tip.contains(": spit").then(|| (length.parse::<f64>().expect("a length"), tip))
+}
+
+#[test]
+fn the_picture_of_changes_has_each_of_them_with_its_number_and_magnifies_the_largest() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let coast = domain("../outlines/saronic.geojson");
+    let (drawn, listed) = (path("c.svg"), path("c.geojson"));
+    let told = |file: &str| {
+        let wanted = ["--size", "2km", "--narrowest", "800m", "--json", "--changes", file];
+        mindeg([&["condition", &coast, "--project", "auto"], &wanted[..]].concat()).json()
+    };
+    let answer = told(&drawn);
+    assert_eq!(answer, told(&listed));
+    let picture = std::fs::read_to_string(drawn).expect("a picture");
+    let map = &picture[..picture.find("<svg x=").expect("something magnified")];
+    let all = answer["changes"].as_array().expect("a list");
+    assert!(all.len() > 300);
+    for (number, change) in (1..).zip(all) {
+        let [x, y] = [0, 1].map(|axis| change["degrees"][axis].as_f64().expect("degrees"));
+        let tip = format!("<title>{number}: ");
+        assert_eq!(times(map, &tip), 1, "{number}");
+        let tip = &map[map.find(&tip).expect("it is there")..];
+        let tip = &tip[..tip.find("</title>").expect("an end")];
+        assert!(tip.contains(&format!("({x}, {y})")), "{tip}");
+    }
+    // The legend counts what the list has.
+    for (key, words) in
+        [("dropped", "dropped"), ("spits_cut", "spit cut off"), ("inserted", "put on an edge")]
+    {
+        assert_eq!(times(&picture, &format!(">{words} × {}<", answer[key])), 1, "{key}");
+    }
+    // Eight places, among them the spit that lost most.
+    assert_eq!((times(&picture, "<svg x="), times(&picture, "class=\"part\"")), (8, 8));
+    let most = map.split("<title>").filter_map(lost).max_by(|a, b| a.0.total_cmp(&b.0));
+    let number = most.expect("a spit").1.split_once(':').expect("a number").0;
+    assert_eq!(times(&picture, &format!(">{number}: spit cut off</text>")), 1);
+    let listed = std::fs::read_to_string(&listed).expect("a file");
+    let listed: serde_json::Value = serde_json::from_str(&listed).expect("JSON");
+    let features = listed["features"].as_array().expect("a list");
+    let number: usize = number.parse().expect("a number");
+    let spit = features.iter().find(|it| it["properties"]["number"] == number);
+    assert_eq!(spit.expect("it is there")["properties"]["kind"], "spit_cut");
+
+    let run = mindeg(["condition", &coast, "--changes", &path("c.png")]);
+    assert_eq!(run.code, Some(2));
+    assert!(run.errors.contains("changes are drawn to .svg, and listed in .geojson"), "{run:?}");
+    // Both commands draw the same.
+    let (one, two) = (path("1.svg"), path("2.svg"));
+    let wanted = [&coast, "--project", "auto", "--size", "4km", "--changes"];
+    mindeg([&["condition"], &wanted[..], &[&one]].concat()).text();
+    let mesh = ["mesh", "--interior", "--condition", "-o", &path("m.14")];
+    mindeg([&mesh, &wanted[..], &[&two]].concat()).text();
+    let bytes = |path: &str| std::fs::read(path).expect("a file");
+    assert!(!bytes(&one).is_empty() && bytes(&one) == bytes(&two), "the pictures differ");
+}
+
 #[test]
 fn one_step_gives_the_mesh_of_two_and_tells_the_changes() {
     let folder = tempfile::tempdir().expect("a folder");

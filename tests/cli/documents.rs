@@ -144,6 +144,25 @@ fn the_picture_of_the_readme_is_what_its_command_makes() {
 }
 
 #[test]
+fn the_picture_of_changes_is_what_its_command_makes() {
+    let picture = root().join("assets/images/changes.svg");
+    let coast = root().join("assets/outlines/saronic.geojson");
+    let folder = tempfile::tempdir().unwrap();
+    let new = folder.path().join("changes.svg");
+    let wanted = "--project auto --size 2km --narrowest 800m -q --changes";
+    let arguments = ["condition", coast.to_str().unwrap()].into_iter().chain(wanted.split(' '));
+    mindeg(arguments.chain([new.to_str().unwrap()]).collect::<Vec<_>>()).text();
+    let new = fs::read(new).unwrap();
+    if std::env::var_os("MINDEG_BLESS").is_some() {
+        return fs::write(picture, new).unwrap();
+    }
+    assert!(
+        fs::read(picture).unwrap() == new,
+        "MINDEG_BLESS=1 writes the picture anew; look at it"
+    );
+}
+
+#[test]
 fn examples_are_found_with_their_output() {
     let page = "```console\n$ a b\nx\n…\n```\ntext\n```console\ny\n```\n```sh\nc \\\n d\n\ne\n```\n```text\n$ f\n```\n";
     let example = |line, command: &str, output: &[&str]| Example {

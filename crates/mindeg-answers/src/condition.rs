@@ -254,7 +254,7 @@ impl ConditionAnswer {
 
 impl ConditionAnswer {
     /// Both boundaries, all changes and the places that are left as GeoJSON, to draw them on a map: polygons with the
-    /// property `boundary`, which is `before` or `after`, lines inside in the same way, and points with the properties of their rows. In degrees if the domain
+    /// property `boundary`, which is `before` or `after`, lines inside in the same way, and points with the properties of their rows and the number of a change, counted from 1. In degrees if the domain
     /// was projected.
     #[must_use]
     pub fn drawn(&self, before: &[Domain], after: &[Domain]) -> Value {
@@ -284,10 +284,9 @@ impl ConditionAnswer {
             let geometry = json!({"type": "Point", "coordinates": at});
             json!({"type": "Feature", "properties": properties, "geometry": geometry})
         };
-        let changes = self
-            .changes
-            .iter()
-            .map(|row| point(row.degrees.unwrap_or(row.at), json!({"kind": row.kind})));
+        let changes = (1..).zip(&self.changes).map(|(number, row): (u32, _)| {
+            point(row.degrees.unwrap_or(row.at), json!({"kind": row.kind, "number": number}))
+        });
         let left = self.left.iter().map(|row| {
             let properties =
                 json!({"kind": "left", "angle_limit": row.angle_limit, "reason": row.reason});

@@ -48,6 +48,6 @@ pub use method::Method;
 pub use reference::{NoTriangulation, Reference, Timed};
 pub use report::{
     IndexEntry, PageLinks, Provenance, Report, report_schema, space_script, viewer_script,
-    viewer_style, write_html, write_index, write_json, write_linked_html, write_markdown,
-    write_trade_off_html, write_trade_off_json, write_trade_off_svg, write_view,
+    viewer_style, write_changes_svg, write_html, write_index, write_json, write_linked_html,
+    write_markdown, write_trade_off_html, write_trade_off_json, write_trade_off_svg, write_view,
 };

@@ -6,6 +6,7 @@
 //!
 //! Limits: figures only. Points and triangles are in the files that `mindeg mesh` writes.
 
+mod changes;
 mod html;
 mod index;
 mod markdown;
@@ -18,6 +19,7 @@ mod trade_off;
 mod view;
 mod viewer;
 
+pub use changes::write_changes_svg;
 pub use html::{PageLinks, write_html, write_linked_html};
 pub use index::{IndexEntry, write_index};
 pub use markdown::write_markdown;

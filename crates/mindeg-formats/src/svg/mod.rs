@@ -119,6 +119,12 @@ impl Inset {
         self.frame.size
     }
 
+    /// Where a point is in the picture, in pixels.
+    #[must_use]
+    pub fn place(&self, point: DVec2) -> DVec2 {
+        self.frame.place(point)
+    }
+
     /// How the picture distorts the mesh, if it does: words such as "height drawn 20
     /// times too large".
     #[must_use]
