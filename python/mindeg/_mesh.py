@@ -75,13 +75,16 @@ def mesh(
 def improve(
     points: _mindeg.Mesh | npt.ArrayLike,
     triangles: npt.ArrayLike | None = None,
+    *,
+    preset: str | None = None,
     **options: Unpack[InteriorOptions],
 ) -> _mindeg.Mesh:
     """The optimiser alone on a planar mesh, given as a mesh or as points and triangles: the boundary stays.
 
-    Options as for points inside in ``Domain.mesh``; ``report["before"]`` has what the mesh was like.
+    Options as for points inside in ``Domain.mesh``; ``report["before"]`` has what the mesh was like. A result that breaks
+    a rule of ``preset``, a program of ``mindeg.PRESETS``, is a ``ValueError``.
     """
     goal, wanted, reading = separated(options)
     for key in [*goal, *reading]:
         raise TypeError(f"{key} has no meaning here; the options are {', '.join(InteriorOptions.__annotations__)}")
-    return _mindeg._improve(points, triangles, as_json(wanted))
+    return _mindeg._improve(points, triangles, preset, as_json(wanted))

@@ -172,6 +172,7 @@ def remesh(
     keep_features: bool = False,
     curvature: bool = False,
     repair: bool = False,
+    preset: str | None = None,
 ) -> Mesh: ...
 def fill_loop(
     points: npt.ArrayLike,
@@ -192,7 +193,7 @@ def _points_between(
     rims: Sequence[npt.ArrayLike], triangles: npt.ArrayLike, around: npt.ArrayLike
 ) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.uint32]]: ...
 def _improve(
-    points: Mesh | npt.ArrayLike, triangles: npt.ArrayLike | None, options: str
+    points: Mesh | npt.ArrayLike, triangles: npt.ArrayLike | None, preset: str | None, options: str
 ) -> Mesh: ...
 def _goals() -> list[dict[str, Any]]: ...
 def _presets() -> dict[str, str]: ...

@@ -122,6 +122,13 @@ def test_the_rules_of_a_program_must_be_kept(tmp_path):
     with pytest.raises(ValueError, match="preset sms: .*angle"):
         mindeg.mesh(cup, size=0.1, effort=0.1, preset="sms")
     assert mindeg.mesh(SQUARE, size=0.5, interior=True, preset="swan").report["violations"] == []
+    corner = mindeg.Mesh([(0, 0, 0), (9, 0, 0), (9, 0.3, 0)], [(0, 1, 2)])
+    for call in (mindeg.improve, lambda mesh, **rules: mindeg.remesh(mesh, keep_boundary=True, **rules)):
+        with pytest.raises(ValueError, match="preset sms: triangle 0 has angles from 1.909°"):
+            call(corner, preset="sms")
+        assert call(corner, preset="adcirc") == call(corner)
+        with pytest.raises(ValueError, match='preset is "roms"; give one of adcirc'):
+            call(corner, preset="roms")
 
 
 @pytest.mark.parametrize(

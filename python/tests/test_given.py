@@ -237,3 +237,20 @@ def test_only_what_says_so_is_taken_for_degrees(recwarn):
         metres = np.ptp(mindeg.Domain(source, size=5000, project="auto").points, axis=0)
         assert 85_000 < metres[0] < 95_000 and 105_000 < metres[1] < 115_000
     assert "project: " in refusal(lambda: mindeg.Domain(degrees, size=5000, project="mercator"))
+
+
+def test_files_in_degrees_get_degrees_of_a_projected_domain(tmp_path):
+    shapely = pytest.importorskip("shapely")
+    sea = shapely.box(20, 35, 21, 36)
+    mesh = mindeg.Domain(sea, size=20_000, project="auto").mesh(interior=True)
+    assert mesh.points[:, 0].min() > 1000
+    at_once = mindeg.mesh(sea.__geo_interface__, size=20_000, project="auto", interior=True)
+    boxes = [sea, shapely.box(23, 35, 24, 36)]
+    apart = [mindeg.mesh(boxes, size=50_000, project="auto", interior=inside) for inside in (False, True)]
+    of_domain = mindeg.Domain(sea, size=20_000, project="auto").tradeoff()[0].mesh
+    for made in (mesh, at_once, *apart, of_domain, mindeg.improve(mesh), pickle.loads(pickle.dumps(mesh))):
+        made.save(tmp_path / "sea.14")
+        x, y = (tmp_path / "sea.14").read_text().splitlines()[2].split()[1:3]
+        assert 20 <= float(x) <= 24 and 35 <= float(y) <= 36, (x, y)
+    mesh.save(tmp_path / "sea.vtu")
+    assert mindeg.read(tmp_path / "sea.vtu").points[:, 0].min() > 1000

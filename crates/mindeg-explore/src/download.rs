@@ -1,7 +1,7 @@
 //! The files of a mesh.
 
-use mindeg_files::{WriteOptions, Writer};
-use mindeg_mesh::Progress;
+use mindeg_files::{WriteOptions, Writer, in_degrees};
+use mindeg_mesh::{Progress, Triangles, Written};
 use std::path::PathBuf;
 
 use crate::answer::understood;
@@ -43,7 +43,10 @@ pub(crate) fn download(
     let name = names.get(file).cloned();
     let name = name.ok_or_else(|| format!("this format has {} files", names.len()))?;
     let made = Made::new(&domain, &request, view, progress)?;
-    let mesh = made.mesh();
+    let projection = domain.projection().copied().filter(|_| format.in_degrees());
+    let degrees = projection.map(|projection| move |point| in_degrees(&projection, point));
+    let place = degrees.as_ref().map(|place| place as _);
+    let mesh = &Written { mesh: made.mesh(), made_by: None, place };
     let written = || {
         let writer = Writer::new(format, WriteOptions::default(), mesh, mesh.triangle_count())?;
         let mut contents = vec![Vec::new(); names.len()];

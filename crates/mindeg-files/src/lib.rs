@@ -53,4 +53,4 @@ pub use outputs::{Outputs, cannot_write, is_standard_output, write_to};
 pub use polygons::{PolygonFile, ReadOptions, look_like_degrees};
 pub use recipe::{Ingredient, Recipe};
 pub use session::Session;
-pub use targets::Targets;
+pub use targets::{Targets, in_degrees};

@@ -20,8 +20,9 @@ const DECIMALS: f64 = 1e9;
 /// Of more lines that are left out the names are not told.
 const MOST_NAMES: usize = 5;
 
-/// A point of a plane in degrees of longitude and latitude, as the plane was projected.
-fn in_degrees(projection: &Projection, point: DVec3) -> DVec3 {
+/// A point of a plane in degrees of longitude and latitude, as the plane was projected and files have it.
+#[must_use]
+pub fn in_degrees(projection: &Projection, point: DVec3) -> DVec3 {
     let degrees = projection.to_degrees(point.truncate()) * DECIMALS;
     (degrees.map(libm::round) / DECIMALS).extend(point.z)
 }
@@ -235,7 +236,7 @@ impl<'a> Targets<'a> {
 
 impl Session {
     /// Writes a mesh to a file and those beside it, whole or not at all; `format` is for a name whose
-    /// extension tells none.
+    /// extension tells none. Formats in degrees get these if the mesh lies in a projection of degrees.
     ///
     /// # Errors
     ///
@@ -246,8 +247,10 @@ impl Session {
         path: &Path,
         format: Option<Format>,
         options: WriteOptions,
+        projection: Option<Projection>,
     ) -> Result<(), FileError> {
         let mut targets = Targets::new(self, &[path.to_path_buf()], format, options)?;
+        targets.unproject(projection);
         targets.expect_materials(mesh.groups().iter().any(|group| group.material.is_some()))?;
         targets.check(mesh, mesh.triangle_count())?;
         targets.open()?;

@@ -109,6 +109,7 @@ impl Domain {
                 least_max_degree: least,
                 found_by: Some(if exact.is_proven { "search" } else { "windows" }.to_owned()),
                 report: None,
+                projection: self.inner.projection().copied(),
             };
             Ok(TradeOffPoint {
                 max_degree: exact.max_degree,

@@ -8,6 +8,7 @@ mod arrays;
 mod demands;
 mod dict;
 mod domain;
+mod improve;
 mod interior;
 mod loops;
 mod mesh;
@@ -32,11 +33,13 @@ mod _mindeg {
     #[pymodule_export]
     use super::domain::Domain;
     #[pymodule_export]
+    use super::improve::improve;
+    #[pymodule_export]
     use super::interior::sizes_of_file;
     #[pymodule_export]
     use super::loops::{between, bridge, bridge_loops, fill, fill_loop, stitch};
     #[pymodule_export]
-    use super::mesh::{Mesh, improve, read};
+    use super::mesh::{Mesh, read};
     #[pymodule_export]
     use super::outlines::{domain_of_outline, mesh_of_file, mesh_of_mesh};
     #[pymodule_export]

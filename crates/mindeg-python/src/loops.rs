@@ -225,6 +225,8 @@ pub(crate) fn stitch(
     meshes: Vec<Bound<'_, Mesh>>,
     within: Option<&Bound<'_, Domain>>,
 ) -> PyResult<Mesh> {
+    let of_area = within.and_then(|within| within.get().inner().projection().copied());
+    let projection = of_area.or_else(|| meshes.first().and_then(|mesh| mesh.get().projection()));
     let meshes: Vec<TriMesh> =
         meshes.iter().map(|mesh| mesh.get().list()).collect::<PyResult<_>>()?;
     let area = within.map(|within| within.get().inner());
@@ -232,7 +234,8 @@ pub(crate) fn stitch(
     let gap = area.map_or(Gap::Overlap(None), Gap::Within);
     let found = done(py, |progress| stitched(&meshes, gap, &wanted, progress))?;
     let report = dict(py, &StitchAnswer::of(&found))?.cast_into::<PyDict>()?;
-    Ok(Mesh::new(found.mesh, Facts { report: Some(report.unbind()), ..Facts::default() }))
+    let facts = Facts { report: Some(report.unbind()), projection, ..Facts::default() };
+    Ok(Mesh::new(found.mesh, facts))
 }
 
 /// The index of the loop through a vertex.

@@ -6,9 +6,8 @@ use std::sync::{Arc, OnceLock};
 
 use mindeg::glam::DVec3;
 use mindeg::quality::TriangleQuality;
-use mindeg::{Group, Mesh as AnyMesh, Positions, TriMesh};
+use mindeg::{Group, Mesh as AnyMesh, Positions, Projection, TriMesh};
 use mindeg_answers::demands::Demands;
-use mindeg_answers::interior::InteriorAnswer;
 use mindeg_files::{Input, Session, svg};
 use mindeg_mesh::{ByName, PeriodicLine, filled};
 use numpy::{PyArray1, PyArray2};
@@ -16,11 +15,9 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::arrays;
-use crate::dict::dict;
-use crate::interior;
 use crate::pickled::{self, PickledGroups, PickledParts, PickledPeriodic};
 use crate::save::{self, Wanted};
-use crate::work::{done, value_error};
+use crate::work::value_error;
 
 /// A triangle mesh. `points` is (n, 2) or (n, 3) float64, `triangles` (m, 3) uint32, counter-clockwise.
 #[pyclass(module = "mindeg", frozen)]
@@ -41,6 +38,8 @@ pub(crate) struct Facts {
     pub(crate) found_by: Option<String>,
     /// The figures that a mesh with interior points reached.
     pub(crate) report: Option<Py<PyDict>>,
+    /// The projection of degrees that its plane is.
+    pub(crate) projection: Option<Projection>,
 }
 
 impl Mesh {
@@ -67,6 +66,11 @@ impl Mesh {
     /// The mesh as a list, with all that names parts of it.
     pub(crate) fn list(&self) -> PyResult<TriMesh> {
         TriMesh::of(&*self.mesh).map_err(value_error)
+    }
+
+    /// The projection of degrees that its plane is.
+    pub(crate) fn projection(&self) -> Option<Projection> {
+        self.facts.projection
     }
 
     /// The mesh, if it keeps the rules of a program that are among the demands.
@@ -256,7 +260,8 @@ impl Mesh {
         degree_colors: bool,
     ) -> PyResult<()> {
         let wanted = Wanted { format, ascii, msh_version, double, fields, degree_colors };
-        py.detach(|| save::save(&*self.mesh, &path, &wanted))
+        let projection = self.facts.projection;
+        py.detach(|| save::save(&*self.mesh, &path, &wanted, projection))
     }
 
     /// Whether points, triangles and all that names parts of them are the same.
@@ -313,7 +318,9 @@ impl Mesh {
         let periodic = mesh.periodic_lines().into_owned();
         let periodic: Vec<PickledPeriodic> =
             periodic.into_iter().map(|own| (own.line, own.of, own.matrix, own.vertices)).collect();
-        let facts = (self.facts.least_max_degree, self.facts.found_by.clone(), self.report(py));
+        let Facts { least_max_degree, found_by, projection, .. } = &self.facts;
+        let projection = projection.map(|it| it.to_string());
+        let facts = (*least_max_degree, found_by.clone(), self.report(py), projection);
         let state = (
             self.points(py)?,
             self.triangles(py)?,
@@ -336,12 +343,13 @@ impl Mesh {
         lines: Vec<(String, Vec<[u32; 2]>)>,
         of_lines: (Vec<bool>, Vec<Option<String>>),
         of_mesh: PickledParts,
-        facts: (Option<u32>, Option<String>, Option<Py<PyDict>>),
+        facts: (Option<u32>, Option<String>, Option<Py<PyDict>>, Option<String>),
     ) -> PyResult<Self> {
         let mesh =
             pickled::mesh(tri_mesh(points, Some(triangles))?, name, lines, of_lines, of_mesh)?;
-        let (least_max_degree, found_by, report) = facts;
-        Ok(Self::new(mesh, Facts { least_max_degree, found_by, report }))
+        let (least_max_degree, found_by, report, projection) = facts;
+        let projection = projection.map(|text| text.parse().map_err(value_error)).transpose()?;
+        Ok(Self::new(mesh, Facts { least_max_degree, found_by, report, projection }))
     }
 }
 
@@ -351,23 +359,6 @@ pub(crate) fn read(py: Python<'_>, path: PathBuf) -> PyResult<Mesh> {
     let read = || Session::new("").mesh(&Input::File(&path), None, mindeg::Progress::NONE);
     let mesh = py.detach(read).map_err(save::file_error)?;
     Ok(Mesh::new(mesh, Facts::default()))
-}
-
-/// The optimiser alone on a planar mesh; the package names the options.
-#[pyfunction]
-#[pyo3(name = "_improve")]
-pub(crate) fn improve(
-    py: Python<'_>,
-    points: &Bound<'_, PyAny>,
-    triangles: Option<&Bound<'_, PyAny>>,
-    options: &str,
-) -> PyResult<Mesh> {
-    let mesh = tri_mesh(points, triangles)?;
-    let (wanted, _) = interior::wanted(options, &mindeg::Interior::default())?;
-    let found = done(py, |progress| mindeg::interior::improve(&mesh, &wanted, progress))?;
-    let report = dict(py, &InteriorAnswer::from(&found.after))?.cast_into::<PyDict>()?;
-    report.set_item("before", dict(py, &InteriorAnswer::from(&found.before))?)?;
-    Ok(Mesh::new(found.mesh, Facts { report: Some(report.unbind()), ..Facts::default() }))
 }
 
 /// A hash of points that are equal where meshes or domains are.

@@ -262,13 +262,15 @@ fn mesh_of_polygons(
     if let [domain] = &domains[..] {
         return Ok((wish.mesh_of(py, domain)?, notes));
     }
+    let projection = domains.first().and_then(|domain| domain.projection().copied());
     if !has_interior {
         let goal = wish.goal()?;
         let found = done(py, |progress| {
             beside::mesh_all(&domains, goal, progress).map_err(|(at, error)| of_part(at, &error))
         })?;
         let (least, is_known) = found.least_max_degree();
-        let facts = Facts { least_max_degree: is_known.then_some(least), ..Facts::default() };
+        let least_max_degree = is_known.then_some(least);
+        let facts = Facts { least_max_degree, projection, ..Facts::default() };
         return Ok((Mesh::new(named(found.mesh), facts), notes));
     }
     let (wanted, points) = wish.wanted(&Interior::default())?;
@@ -278,7 +280,7 @@ fn mesh_of_polygons(
     })?;
     found.mesh = named(found.mesh);
     let report = Some(dict(py, &InteriorAnswer::from(&found))?.cast_into::<PyDict>()?.unbind());
-    Ok((Mesh::new(found.mesh, Facts { report, ..Facts::default() }), notes))
+    Ok((Mesh::new(found.mesh, Facts { report, projection, ..Facts::default() }), notes))
 }
 
 fn refuse_points(points: &[InnerPoint]) -> PyResult<()> {

@@ -3,7 +3,7 @@
 use std::io;
 use std::path::Path;
 
-use mindeg::Mesh;
+use mindeg::{Mesh, Projection};
 use mindeg_files::{
     Encoding, FileError, Format, MshVersion, Session, SurfaceOptions, WriteOptions,
 };
@@ -57,8 +57,14 @@ impl Wanted<'_> {
 }
 
 /// Writes a mesh to the files of a format; a fault leaves what was there.
-pub(crate) fn save(mesh: &dyn Mesh, path: &Path, wanted: &Wanted<'_>) -> PyResult<()> {
-    let saved = Session::new("").save(mesh, path, wanted.format()?, wanted.options()?);
+pub(crate) fn save(
+    mesh: &dyn Mesh,
+    path: &Path,
+    wanted: &Wanted<'_>,
+    projection: Option<Projection>,
+) -> PyResult<()> {
+    let (format, options) = (wanted.format()?, wanted.options()?);
+    let saved = Session::new("").save(mesh, path, format, options, projection);
     saved.map_err(file_error)
 }
 

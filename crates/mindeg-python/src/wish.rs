@@ -77,6 +77,7 @@ impl Wish<'_> {
             least_max_degree: meshed.is_least_proven.then_some(meshed.least_max_degree),
             found_by: Some(found_by(meshed.found_by).to_owned()),
             report: None,
+            projection: domain.projection().copied(),
         };
         Ok(Mesh::new(meshed.mesh, facts))
     }
@@ -92,7 +93,9 @@ impl Wish<'_> {
         }
         let found = done(py, |progress| mindeg::interior::mesh(&domain, &wanted, progress))?;
         let report = dict(py, &InteriorAnswer::from(&found))?.cast_into::<PyDict>()?.unbind();
-        Ok(Mesh::new(found.mesh, Facts { report: Some(report), ..Facts::default() }))
+        let projection = domain.projection().copied();
+        let facts = Facts { report: Some(report), projection, ..Facts::default() };
+        Ok(Mesh::new(found.mesh, facts))
     }
 }
 
