@@ -487,6 +487,11 @@ print("registered", hasattr(bpy.types, "MESH_OT_mindeg_fill"))
 """
 
 
+def test_a_shell_that_is_told_to_build_lets_python_do_it():
+    told = subprocess.run(["bash", EXTENSION / "build"], capture_output=True, text=True)
+    assert told.stderr.startswith("usage: ") and told.stderr.count("\n") == 1, told.stderr
+
+
 def test_the_zip_is_installed_with_its_wheel(tmp_path):
     path = os.environ.get("MINDEG_EXTENSION")
     if not path:
