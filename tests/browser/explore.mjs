@@ -154,10 +154,13 @@ test("from any example a newcomer leaves within a minute with the mesh of the ad
 test("of no example are corners, words or figures cut, and the download is beside or below its picture", async () => {
   for (const [width, height] of [[390, 844], [800, 900], [1400, 900]]) {
     const page = await openNew({ viewport: { width, height } });
-    for (const name of ["boundary-layer-channel", "step-channel", "wing-panel", "plate-with-holes", "great-britain"]) {
+    const names = await page.locator("#presets option").evaluateAll((all) => all.map(({ value }) => value).filter(Boolean));
+    for (const name of names) {
       if (name !== "boundary-layer-channel") await choose(page, name);
       const here = `${name} at ${width}`;
       const stage = await page.locator(".stage").first().boundingBox();
+      const card = await page.locator(".mesh").first().boundingBox();
+      assert.ok(stage.x >= card.x && stage.x + stage.width <= card.x + card.width, `${here}: the picture is wider than its card`);
       for (const [x, y] of await cornerPlaces(page)) {
         const edge = Math.min(x - stage.x, stage.x + stage.width - x, y - stage.y, stage.y + stage.height - y);
         assert.ok(edge >= 7, `${here}: a corner is ${edge} pixels from the edge`);
@@ -168,7 +171,7 @@ test("of no example are corners, words or figures cut, and the download is besid
           context.font = getComputedStyle(name).font;
           return name.textContent.split(/[ -]/).some((word) => context.measureText(word).width > name.clientWidth);
         };
-        const rows = [...document.querySelectorAll("#degrees b, #interior label, #interior small")].filter((it) => it.scrollWidth > it.clientWidth);
+        const rows = [...document.querySelectorAll("#degrees b, #interior label, #interior small, .mesh .figures")].filter((it) => it.scrollWidth > it.clientWidth);
         return [...rows, ...[...document.querySelectorAll(".side-name")].filter(isBroken)].map((it) => it.textContent);
       });
       assert.deepEqual(cut, [], here);
@@ -197,6 +200,22 @@ test("points inside have options, and places that decide are marked", async () =
   assert.match(await text(page, "#command"), /"size_inside":0\.4/);
   const { path } = await downloaded(page, "#download");
   assert.match(mindeg("inspect", path).stdout, /nothing wrong found/);
+  await page.context().close();
+});
+
+test("a label at the edge of the picture is within it", async () => {
+  const page = await openNew();
+  const places = await page.evaluate(async () => {
+    const { drawNames } = await import("/page/names.js");
+    const places = [];
+    const known = { measureText: () => ({ width: 40 }), fillText: (_, x, y) => places.push([x, y]) };
+    const context = new Proxy(known, { get: (all, key) => all[key] ?? (() => {}), set: () => true });
+    const frame = { width: 200, height: 100, toScreen: (x, y) => [x, y] };
+    for (const at of [[100, 2], [3, 50], [198, 97]]) drawNames(context, frame, {}, [{ kind: "mark", name: "limit 45°", at }]);
+    return places;
+  });
+  assert.equal(places.length, 3);
+  for (const [x, y] of places) assert.ok(x >= 20 && x <= 180 && y >= 7 && y <= 93, `${x}, ${y}`);
   await page.context().close();
 });
 

@@ -38,7 +38,9 @@ export function drawNames(context, frame, looks, places) {
       context.stroke();
     }
     const isAbove = kind === "point" || kind === "mark";
-    const y = isAbove ? place - HEIGHT - (kind === "mark" ? 7 : 2) : place;
+    const away = isAbove ? HEIGHT + (kind === "mark" ? 7 : 2) : 0;
+    // Above what it names, but for the top of the picture.
+    const y = place - away < HEIGHT * 0.8 ? place + away : place - away;
     const half = context.measureText(name).width / 2 + 4;
     const middle = Math.max(half, Math.min(frame.width - half, x));
     const box = [middle - half, y - HEIGHT * 0.8, middle + half, y + HEIGHT * 0.8];
