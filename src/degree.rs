@@ -136,5 +136,5 @@ fn fewer(report: &DegreeReport) -> Option<String> {
 fn advice(domain: &Domain, file: Option<&Path>) -> Option<String> {
     // A domain without a mesh says so when it is meshed.
     let advice = is_small(domain).then(|| Advice::of(domain, Progress::NONE).ok()).flatten()?;
-    Some(advice.hints(Some(&mesh_command(domain, file))) + "\n")
+    Some(advice.hints(&mesh_command(domain, file)) + "\n")
 }

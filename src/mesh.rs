@@ -12,6 +12,7 @@ use crate::demands::{met_or_written_anyway, unmet_by_boundary_mesh};
 use crate::domain::{Parts, Subject, name, subject};
 use crate::failure::Failure;
 use crate::making::Making;
+use crate::provenance::mesh_command_again;
 use mindeg::MeshError;
 use mindeg::{Domain, Goal, Meshed, Progress};
 use mindeg_answers::advice::Advice;
@@ -116,7 +117,11 @@ fn mesh_of(domain: &Domain, arguments: &MeshArguments, output: &[PathBuf]) -> Re
         let is_told = !arguments.goal.is_empty() || arguments.separate;
         (!is_told).then(|| Advice::if_small(domain, &meshed, Progress::NONE))
     };
-    made.say(|| text(&meshed, goal, &answer, advice()), || &answer)?;
+    let hints = || {
+        let file = arguments.domain.file.as_deref();
+        advice().map(|advice| advice.hints(&mesh_command_again(domain, file)))
+    };
+    made.say(|| text(&meshed, goal, &answer, hints()), || &answer)?;
     end
 }
 
@@ -141,12 +146,12 @@ pub(crate) fn unsolved(error: &MeshError, way_out: &str) -> Failure {
     })
 }
 
-fn text(meshed: &Meshed, goal: Goal, answer: &MeshAnswer, advice: Option<Advice>) -> String {
+fn text(meshed: &Meshed, goal: Goal, answer: &MeshAnswer, hints: Option<String>) -> String {
     let domain = meshed.mesh.domain();
     let angles = [answer.min_angle, answer.max_angle];
     let mut lines = vec![format!("{}: {}", name(domain), words::mesh(meshed, angles))];
     lines.extend(words::standing(meshed, goal, answer.min_angle));
-    lines.extend(advice.map(|advice| advice.hints(None)));
+    lines.extend(hints);
     lines.extend(domain.notes());
     lines.join("\n")
 }

@@ -96,13 +96,17 @@ fn wrapped(text: &str) -> String {
     }
 }
 
-/// Wraps each line of a text on spaces.
+/// Wraps each line of a text on spaces, but for commands: those are to be copied.
 fn wrap(text: &str, width: usize) -> String {
     let options = textwrap::Options::new(width)
-        // A path or a list of counts stays in one piece, to be copied.
+        // A path or a list of counts stays in one piece, to be copied, too.
         .break_words(false)
         .word_splitter(textwrap::WordSplitter::NoHyphenation);
-    textwrap::fill(text, options)
+    let wrapped = |line: &str| match line.starts_with("mindeg mesh ") {
+        true => line.to_owned(),
+        false => textwrap::fill(line, &options),
+    };
+    text.split('\n').map(wrapped).collect::<Vec<_>>().join("\n")
 }
 
 #[cfg(test)]
@@ -114,6 +118,11 @@ mod tests {
         let long = "the least-degree mesh /a/long/path/of/a/file.obj has\ntwo lines";
         let lines = "the\nleast-degree\nmesh\n/a/long/path/of/a/file.obj\nhas\ntwo lines";
         assert_eq!(wrap(long, 12), lines);
+        let hint = "hint: take it\nmindeg mesh a.json --interior -o a.obj\nwrote a.obj";
+        assert_eq!(
+            wrap(hint, 9),
+            hint.replace("hint: take it", "hint:\ntake it").replace("wrote a.obj", "wrote\na.obj")
+        );
         assert_eq!(wrap(long, 100), long);
     }
 

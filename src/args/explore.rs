@@ -1,28 +1,28 @@
 //! `mindeg explore`.
 
+use super::domain::DomainArguments;
 use super::purpose::PurposeArgument;
 use super::with_exit_codes;
 use clap::Args;
-use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
 Examples:
   mindeg explore
   mindeg explore assets/domains/boundary-layer-channel.json
-  mindeg explore outline.svg --port 8080 --no-open";
+  mindeg explore outline.svg --size 0.5 --port 8080 --no-open
+  mindeg explore coast.geojson --project auto --size 5km";
 
 /// Edit a boundary on a page of this machine and see its meshes follow
 ///
 /// Prints an address and opens it in a browser: drag corners, change interval counts and spacing laws, pick a
 /// point of the curve of degree against angle, and download the mesh. The page is loaded from this
 /// process, which listens on 127.0.0.1 and answers only who knows the token in the address. Ctrl-C ends it.
+/// Without a domain it begins with the boundary-layer channel.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES, after_long_help = with_exit_codes(EXAMPLES))]
 pub(crate) struct ExploreArguments {
-    /// The domain to begin with, in any format that mindeg mesh takes; - reads standard input. Without it, the
-    /// boundary-layer channel
-    #[arg(value_name = "DOMAIN")]
-    pub(crate) domain: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) domain: DomainArguments,
 
     #[command(flatten)]
     pub(crate) purpose: PurposeArgument,

@@ -115,15 +115,19 @@ fn hinted_commands_make_what_they_promise() {
             "{root}/assets/outlines/islands.geojson --feature 2 --project none --corner-angle 40"
         ),
     ] {
-        let answer = run(&format!("mindeg degree {words}"));
-        let lines: Vec<&str> = answer.text().lines().collect();
-        let hinted: Vec<_> =
-            lines.windows(2).filter(|two| two[1].starts_with("mindeg mesh ")).collect();
-        assert_eq!(hinted.len(), 2, "{words}: {answer:?}");
-        for two in hinted {
-            let made = run(&format!("{} --json", two[1])).json();
-            let angle = format!("minimum angle {:.3}°", made["min_angle"].as_f64().unwrap());
-            assert!(two[0].contains(&angle), "{two:?} gives {angle}");
+        let of_degree = run(&format!("mindeg degree {words}")).text().to_owned();
+        let of_mesh = run(&format!("mindeg mesh {words} --no-interior -o 'a mesh.vtu'")).errors;
+        for (answer, file) in [(of_degree, "mesh.obj"), (of_mesh, "a mesh.vtu")] {
+            let lines: Vec<&str> = answer.lines().collect();
+            let hinted: Vec<_> =
+                lines.windows(2).filter(|two| two[1].starts_with("mindeg mesh ")).collect();
+            assert_eq!(hinted.len(), 2, "{words}: {answer}");
+            for two in hinted {
+                let made = run(&format!("{} --json", two[1])).json();
+                let angle = format!("minimum angle {:.3}°", made["min_angle"].as_f64().unwrap());
+                assert!(two[0].contains(&angle), "{two:?} gives {angle}");
+                assert_eq!(made["files"], serde_json::json!([file]), "{two:?}");
+            }
         }
     }
 }

@@ -279,6 +279,35 @@ mod page {
     }
 
     #[test]
+    fn options_say_how_the_file_is_read_and_the_command_has_them() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let assets = format!("{}/assets/outlines", env!("CARGO_MANIFEST_DIR"));
+        for file in ["saronic.geojson", "part.dxf"] {
+            fs::copy(format!("{assets}/{file}"), folder.path().join(file)).expect("a copy");
+        }
+        for (words, made) in [
+            ("saronic.geojson --size 2km --project auto", "saronic-points-inside.14"),
+            ("--rectangle 4x3 --size 0.5", "mesh-points-inside.14"),
+            ("part.dxf", "part-points-inside.14"),
+        ] {
+            let page = Page::open(folder.path(), &words.split(' ').collect::<Vec<_>>());
+            let start = String::from_utf8(page.ask("GET /api/start", &Value::Null)).expect("text");
+            let start = &start[start.find('{').expect("JSON")..=start.rfind('}').expect("JSON")];
+            let start: Value = serde_json::from_str(start).expect("JSON");
+            let domain = &start["domain"];
+            let request = json!({"domain": domain, "view": "interior", "format": "fort14", "show": ["command"]});
+            let command = page.command(&request);
+            assert_eq!(command, format!("mindeg mesh {words} --interior -o {made}"));
+            let run = pasted(folder.path(), &command);
+            assert_eq!(run.code, Some(0), "{command}\n{}", run.errors);
+            let download = page.ask("POST /api/download?format=fort14", &request);
+            assert!(fs::read(folder.path().join(made)).expect("a mesh") == download, "{command}");
+        }
+        let refused = mindeg(["explore", "--rectangle", "4x3", "--size", "1e-5"]);
+        refused.refuses(&["domain: the outline has 1400000 points; the page takes up to 100000"]);
+    }
+
+    #[test]
     fn ctrl_c_ends_it() {
         let folder = tempfile::tempdir().expect("a folder");
         for signal in [2, 15] {

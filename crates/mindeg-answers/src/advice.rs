@@ -225,16 +225,11 @@ impl Advice {
         sentences.join("\n")
     }
 
-    /// The same as hints of the terminal: each with the options of `mindeg mesh` to add, or with the whole command.
+    /// The same as hints of the terminal, each with the command that makes the mesh.
     #[must_use]
-    pub fn hints(&self, command: Option<&MeshCommand>) -> String {
-        let hint = |purpose: Purpose| match command {
-            Some(command) => {
-                format!("hint: f{}\n{}", self.rest(purpose), command.advised(purpose))
-            }
-            None => {
-                format!("hint: f{} Add {}.", self.rest(purpose), purpose.options().join(" "))
-            }
+    pub fn hints(&self, command: &MeshCommand) -> String {
+        let hint = |purpose: Purpose| {
+            format!("hint: f{}\n{}", self.rest(purpose), command.advised(purpose))
         };
         self.purposes(None).into_iter().map(hint).collect::<Vec<_>>().join("\n")
     }
@@ -270,7 +265,8 @@ mod tests {
             advice.text(Some(Purpose::Fewest)),
             "For the fewest edges at a vertex, take degree 4: minimum angle 1.000°, 20% of what its points allow."
         );
-        assert!(advice.hints(None).ends_with("its points allow. Add --keep-angle 95%."));
+        let hints = advice.hints(&MeshCommand::default());
+        assert!(hints.ends_with("allow.\nmindeg mesh DOMAIN.json --keep-angle 95% -o mesh.obj"));
         let advice = Advice::among(made(5, 26.0, None), made(4, 26.0, Some(0.96)), None);
         assert_eq!(advice.purposes(None), [Purpose::Patch, Purpose::Solver]);
         assert!(

@@ -22,6 +22,9 @@ use mindeg::Domain;
 pub struct MeshCommand {
     /// The file, if there is one, and the options that say how it is read.
     words: Vec<String>,
+    /// Whether the words name the files to write.
+    writes: bool,
+    reads_standard_input: bool,
     inside: &'static [&'static str],
     boundary_alone: &'static [&'static str],
 }
@@ -29,7 +32,13 @@ pub struct MeshCommand {
 /// A command for a domain in a file whose name is not known.
 impl Default for MeshCommand {
     fn default() -> Self {
-        Self { words: vec!["DOMAIN.json".to_owned()], inside: INSIDE, boundary_alone: &[] }
+        Self {
+            words: vec!["DOMAIN.json".to_owned()],
+            writes: false,
+            reads_standard_input: false,
+            inside: INSIDE,
+            boundary_alone: &[],
+        }
     }
 }
 
@@ -59,9 +68,20 @@ impl MeshCommand {
     pub fn of(words: &[String], domain: &Domain) -> Self {
         Self {
             words: words.to_vec(),
+            writes: false,
+            reads_standard_input: words.first().is_some_and(|word| word == "-"),
             inside: inside_options(domain),
             boundary_alone: boundary_alone_options(domain),
         }
+    }
+
+    /// The same for what was meshed with these words, the files to write among them.
+    #[must_use]
+    pub fn again(self, words: &[String]) -> Self {
+        // They would stand twice, or one beside its contrary.
+        let given_anew = ["--interior", "--no-interior", "--write-anyway"];
+        let is_kept = |word: &&String| !given_anew.contains(&word.as_str());
+        Self { words: words.iter().filter(is_kept).cloned().collect(), writes: true, ..self }
     }
 
     /// The command that makes the mesh for a purpose.
@@ -80,12 +100,17 @@ impl MeshCommand {
     }
 
     fn line(&self, options: &[&str]) -> String {
-        let words = self.words.iter().map(|word| shell_word(word));
-        let options = options.iter().copied().map(str::to_owned);
+        // After the word "--" a word is a file, not an option.
+        let end = self.words.iter().position(|word| word == "--").unwrap_or(self.words.len());
+        let (words, files) = self.words.split_at(end);
         let mut line = vec!["mindeg mesh".to_owned()];
-        line.extend(words.chain(options));
-        line.push("-o mesh.obj".to_owned());
-        if self.words.first().is_some_and(|word| word == "-") {
+        line.extend(words.iter().map(|word| shell_word(word)));
+        line.extend(options.iter().copied().map(str::to_owned));
+        line.extend(files.iter().map(|word| shell_word(word)));
+        if !self.writes {
+            line.push("-o mesh.obj".to_owned());
+        }
+        if self.reads_standard_input {
             line.push("< DOMAIN.json".to_owned());
         }
         line.join(" ")
@@ -143,6 +168,23 @@ mod tests {
             command(&["-", "--repair"], "").advised(Purpose::Solver),
             "mindeg mesh - --repair --interior -o mesh.obj < DOMAIN.json"
         );
+    }
+
+    #[test]
+    fn what_was_meshed_is_meshed_again_into_the_same_files() {
+        for (words, solver, patch) in [
+            ("a.json -o b.vtu", "a.json -o b.vtu --interior", "a.json -o b.vtu --keep-angle 95%"),
+            ("--no-interior a -o -", "a -o - --interior", "a -o - --keep-angle 95%"),
+            ("-o b.vtu -- -a", "-o b.vtu --interior -- -a", "-o b.vtu --keep-angle 95% -- -a"),
+        ] {
+            let words: Vec<String> = words.split(' ').map(str::to_owned).collect();
+            let again = command(&["a.json"], "").again(&words);
+            assert_eq!(again.advised(Purpose::Solver), format!("mindeg mesh {solver}"));
+            assert_eq!(again.advised(Purpose::Patch), format!("mindeg mesh {patch}"));
+        }
+        let words = ["-", "-o", "b.vtu"].map(str::to_owned);
+        let again = command(&["-"], "").again(&words).advised(Purpose::Solver);
+        assert_eq!(again, "mindeg mesh - -o b.vtu --interior < DOMAIN.json");
     }
 
     /// `mindeg mesh` writes no mesh that misses a demand, and takes points inside from the domain.

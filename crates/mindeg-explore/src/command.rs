@@ -1,7 +1,7 @@
 //! The command line that makes a mesh of the page.
 
 use mindeg::{Domain, Goal};
-use mindeg_answers::command::{boundary_alone_options, file_word, inside_options, shell_word};
+use mindeg_answers::command::{boundary_alone_options, inside_options, shell_word};
 use mindeg_files::Format;
 use serde_json::Value;
 
@@ -12,20 +12,21 @@ const END: &str = "END";
 
 /// Files that a command may name instead of holding the domain itself.
 #[derive(Clone, Debug, Default)]
-pub struct KnownFiles(Vec<(String, Value)>);
+pub struct KnownFiles(Vec<(Vec<String>, Value)>);
 
 impl KnownFiles {
-    /// Adds a file whose text is a domain in JSON; ignores other text.
-    pub fn add(&mut self, path: &str, text: &str) {
+    /// Adds a file that is read as this domain in JSON, by the words of a command that name it: the file, and the options
+    /// that say how it is read. Other text is ignored.
+    pub fn add(&mut self, words: &[String], text: &str) {
         if let Ok(domain) = serde_json::from_str(text) {
-            self.0.push((path.to_owned(), domain));
+            self.0.push((words.to_vec(), domain));
         }
     }
 
-    /// The file that holds a domain.
-    fn with(&self, domain: &str) -> Option<&str> {
+    /// The words for the file that holds a domain.
+    fn with(&self, domain: &str) -> Option<&[String]> {
         let domain: Value = serde_json::from_str(domain).ok()?;
-        self.0.iter().find(|(_, known)| *known == domain).map(|(path, _)| path.as_str())
+        self.0.iter().find(|(_, known)| *known == domain).map(|(words, _)| &words[..])
     }
 }
 
@@ -58,20 +59,23 @@ fn stem(text: &str) -> String {
 /// The command that writes the mesh of a view, ready for a POSIX shell.
 pub(crate) fn command(request: &Request, domain: &Domain, known: &KnownFiles) -> String {
     let file = known.with(request.domain.get());
-    let input = match file {
-        Some(path) => shell_word(&file_word(path)),
-        None => "-".to_owned(),
+    let input: Vec<String> = match file {
+        Some(words) => words.iter().map(|word| shell_word(word)).collect(),
+        None => vec!["-".to_owned()],
     };
     let stem = file_stem(domain, request.view, request.goal);
     let mut words = vec!["mindeg".to_owned()];
     if request.view == View::Delaunay {
         let stem = domain_stem(domain);
         let folder = format!("{stem}-compared");
-        words.extend(["compare".to_owned(), input, "-o".to_owned(), format!("{stem}.html")]);
+        words.push("compare".to_owned());
+        words.extend(input);
+        words.extend(["-o".to_owned(), format!("{stem}.html")]);
         words.extend(["--save-meshes".to_owned(), folder]);
     } else {
         let format = request.format().unwrap_or(Format::Obj);
-        words.extend(["mesh".to_owned(), input]);
+        words.push("mesh".to_owned());
+        words.extend(input);
         words.extend(options(request, domain));
         words.extend(["-o".to_owned(), format!("{stem}.{}", format.extension())]);
     }
@@ -117,21 +121,12 @@ mod tests {
             )
         );
         let mut known = KnownFiles::default();
-        known.add("my plate.json", &text.replace("0.5", "0.50"));
+        let words = ["my plate.json", "--size", "1"].map(str::to_owned);
+        known.add(&words, &text.replace("0.5", "0.50"));
         assert_eq!(
             command(body, &known),
-            "mindeg mesh 'my plate.json' --keep-angle 95% -o a-b-c-keep-angle-95.14"
+            "mindeg mesh 'my plate.json' --size 1 --keep-angle 95% -o a-b-c-keep-angle-95.14"
         );
-    }
-
-    #[test]
-    fn a_file_is_never_taken_for_an_option() {
-        let text = r#"{"rectangle": {"width": 4, "height": 3}, "size": 1}"#;
-        let mut known = KnownFiles::default();
-        known.add("-o.json", text);
-        let request = serde_json::from_str(&format!(r#"{{"domain": {text}}}"#)).unwrap();
-        let command = command(&request, &Domain::from_json(text).unwrap(), &known);
-        assert_eq!(command, "mindeg mesh ./-o.json -o mesh-least-degree.obj");
     }
 
     /// `mindeg mesh` writes no mesh that misses a demand, but the page shows one.

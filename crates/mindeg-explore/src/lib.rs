@@ -46,5 +46,5 @@ pub use answer::{MAX_VERTICES, answer};
 pub use api::{AnswerLine, Part, Request, Source, View};
 pub use command::KnownFiles;
 pub use presets::presets;
-pub use reading::sources;
+pub use reading::{REPAIRED, sources};
 pub use server::{Server, ServerError, Setup};

@@ -11,8 +11,8 @@ use crate::api::Source;
 /// The most polygons of a file that are given.
 const MOST: usize = 200;
 
-/// The note on polygons that are none without a repair.
-const REPAIRED: &str = "Rings touched or crossed; they were repaired, as --repair does.";
+/// The note on polygons that are none without a repair, first of all notes.
+pub const REPAIRED: &str = "Rings touched or crossed; they were repaired, as --repair does.";
 
 /// The domain of a file, or the maps of its polygons that share edges, then each polygon alone. Where polygons are
 /// refused as they are and not once they are repaired, they are given repaired, with a note.
@@ -105,7 +105,7 @@ fn maps(polygons: &PolygonFile) -> Vec<Source> {
             _ => part_name(index, domain),
         };
         let notes = polygons.notes.iter().chain(&notes).cloned().collect();
-        given(name, notes, domain.rings().vertex_count() as usize, || Ok(domain.clone()))
+        Source { name, notes, ..Source::of(domain) }
     };
     parts.take(MOST).map(source).collect()
 }
@@ -121,6 +121,16 @@ fn source(polygons: &PolygonFile, polygon: &Polygon) -> Source {
     let notes = polygons.notes.clone();
     let points: usize = polygon.feature.rings.iter().map(|ring| ring.pieces.len()).sum();
     given(name, notes, points, || polygons.domain(polygon).map_err(|error| error.to_string()))
+}
+
+impl Source {
+    /// A domain that was read already.
+    #[must_use]
+    pub fn of(domain: &Domain) -> Self {
+        let name = domain.name().unwrap_or("domain").to_owned();
+        let points = domain.rings().vertex_count() as usize;
+        given(name, Vec::new(), points, || Ok(domain.clone()))
+    }
 }
 
 /// A domain to start from, unless it has too many points for the page.
