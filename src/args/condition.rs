@@ -86,7 +86,7 @@ pub(crate) struct ChangeArguments {
     #[arg(long, value_name = "NAME")]
     pub(crate) keep: Vec<String>,
 
-    /// Draw boundaries, changes and places below the limit: a picture (.svg), or a GeoJSON, in degrees if projected
+    /// Draw boundaries, changes and places below the limit (.svg), or list them (.geojson)
     #[arg(long, value_name = "FILE", value_parser = changes_file)]
     pub(crate) changes: Option<PathBuf>,
 }
