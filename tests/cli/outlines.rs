@@ -71,6 +71,57 @@ fn every_format_is_meshed_with_its_points_bit_for_bit() {
     }
 }
 
+/// All lines of MSH 2.2 bound its only surface, or lie in it.
+#[test]
+fn the_only_surface_of_an_old_msh_has_its_name_and_what_lies_in_it() {
+    let nodes = "1 0 0 0\n2 4 0 0\n3 4 3 0\n4 0 3 0\n5 1 1 0\n6 2 1 0\n7 1 2 0\n8 9 9 0\n";
+    // The last node is of no group, as the center of an arc.
+    let elements = "1 1 2 1 1 1 2\n2 1 2 1 2 2 3\n3 1 2 1 3 3 4\n4 1 2 1 4 4 1\n5 1 2 2 5 5 6\n6 15 2 3 7 7\n7 15 2 0 8 8\n";
+    let names = "4\n1 1 \"wall\"\n1 2 \"crack\"\n0 3 \"gauge\"\n2 4 \"fluid\"\n";
+    let msh = format!(
+        "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n{names}$EndPhysicalNames\n\
+         $Nodes\n8\n{nodes}$EndNodes\n$Elements\n7\n{elements}$EndElements\n"
+    );
+    let folder = folder(&[("old.msh", &msh)]);
+    let (file, out) = (folder.path().join("old.msh"), folder.path().join("new.msh"));
+    let run = mindeg([
+        "mesh".as_ref(),
+        file.as_os_str(),
+        "--interior".as_ref(),
+        "--ascii".as_ref(),
+        "-o".as_ref(),
+        out.as_os_str(),
+    ]);
+    assert!(run.errors.starts_with("fluid: 4 boundary"), "{run:?}");
+    let made = text(&out);
+    for name in ["1 1 \"wall\"", "1 2 \"crack\"", "2 3 \"fluid\"", "0 4 \"gauge\""] {
+        assert!(made.contains(name), "{name}: {made}");
+    }
+    // Without a name the line has no surface around it.
+    fs::write(&file, msh.replace("4\n1 1", "3\n1 1").replace("2 4 \"fluid\"\n", ""))
+        .expect("a file");
+    let run = mindeg(["mesh".as_ref(), file.as_os_str(), "-o".as_ref(), out.as_os_str()]);
+    let note = "left out an open line of 1 piece that ends at (1.0, 1.0); with a physical surface around it, it stays";
+    assert!(run.errors.contains(note), "{run:?}");
+}
+
+/// Lines of MSH 2.2 do not say which surface they bound.
+#[test]
+fn several_surfaces_without_their_boundaries_are_refused_with_the_way_out() {
+    let lines = [[1, 2], [2, 3], [3, 4], [4, 1], [2, 4]];
+    let lines = (1..).zip(lines).map(|(tag, [a, b])| format!("{tag} 1 2 0 {tag} {a} {b}\n"));
+    let msh = format!(
+        "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 4 0 0\n3 4 3 0\n4 0 3 0\n$EndNodes\n\
+         $Elements\n5\n{}$EndElements\n",
+        lines.collect::<String>()
+    );
+    let run = mindeg_reading(["mesh", "-", "-o", "-", "--format", "obj"], msh.as_bytes());
+    run.refuses(&[
+        "the point (4.0, 0.0): three or more lines meet there",
+        "as MSH 4.1 (gmsh -1 -format msh4)",
+    ]);
+}
+
 #[test]
 fn domains_are_written_as_json_that_gives_the_same_points() {
     let folder = folder(&FILES);

@@ -55,6 +55,10 @@ pub(super) fn rings(
     }
 }
 
+/// What is wrong with lines that bound several regions.
+pub(super) const BRANCHES: &str = "three or more lines meet there; rings must not touch or branch; export the boundary of \
+                                   one region, without lines inside it";
+
 /// Rings of links, and lines that close no ring.
 ///
 /// A ring starts where its first line in the file does, and runs the same way. O(points + links).
@@ -73,8 +77,7 @@ pub(super) fn chains(points: &[DVec2], links: &[Link]) -> Result<Chains, Outline
             let Some(slot) = slots.iter_mut().find(|slot| **slot == NONE) else {
                 return Err(OutlineError::place(
                     format!("the point {}", shown(points[point as usize])),
-                    "three or more lines meet there; rings must not touch or branch; export the \
-                     boundary of one region, without lines inside it",
+                    BRANCHES,
                 ));
             };
             *slot = index;

@@ -39,10 +39,16 @@ pub(super) fn read_msh(bytes: &[u8]) -> Result<Outlines, OutlineError> {
     let points: Vec<_> = file.positions.iter().map(|point| point.truncate()).collect();
     let periodic = file.periodic.iter().map(|line| PeriodicCurve::new(line, &points)).collect();
     let has_others = file.others > 0;
-    let mut outlines = match file.surfaces.is_empty() {
-        true => outlines(file, true)?,
-        false => surfaces(&file)?,
+    let outlines = match file.surfaces.is_empty() {
+        true => outlines(file, true),
+        false => surfaces(&file),
     };
+    let mut outlines = outlines.map_err(|mut error| {
+        if error.problem == loops::BRANCHES {
+            error.problem.push_str(", or save several surfaces as MSH 4.1 (gmsh -1 -format msh4)");
+        }
+        error
+    })?;
     outlines.periodic = periodic;
     outlines.notes.extend(has_others.then(|| format!("left out {others}")));
     Ok(outlines)
@@ -76,7 +82,8 @@ pub(super) fn outlines(file: Polylines, by_line: bool) -> Result<Outlines, Outli
     let mut notes: Vec<String> = height(heights)?.into_iter().collect();
     let points: Vec<_> = file.positions.iter().map(|point| point.truncate()).collect();
     let (rings, note) = loops::rings(&points, &links)?;
-    notes.extend(note);
+    let way_out = if by_line { "; with a physical surface around it, it stays" } else { "" };
+    notes.extend(note.map(|note| format!("{note}{way_out}")));
     Outlines::of_rings(rings, notes)
 }
 

@@ -10,7 +10,7 @@ use mindeg_mesh::{NamedVertex, TriMesh};
 use super::parts::{end_part, next_part, skip};
 use super::periodic::Links;
 use super::shapes::{Shape, known_shape};
-use super::surfaces::{Surfaces, check_surface_names, physical_name};
+use super::surfaces::{Surfaces, only_named, physical_name};
 use crate::lists::push;
 use crate::numbered::Nodes;
 use crate::numbers::Numbers;
@@ -65,15 +65,18 @@ pub fn read_lines(mut input: impl Read) -> Result<Polylines, ReadError> {
     input.read_to_end(&mut file)?;
     let contents = contents(&file, Contents { lines_alone: true, ..Contents::default() })?;
     let others = contents.elements.faces.face_count() + contents.elements.volumes;
-    if contents.version == MshVersion::V2 && contents.elements.faces.face_count() == 0 {
-        check_surface_names(&contents.physical_names)?;
-    }
-    let surfaces = contents.surfaces.outlines(&contents.elements.segments.by_thing())?;
+    let has_no_faces = contents.elements.faces.face_count() == 0;
+    let mut surfaces = contents.surfaces.outlines(&contents.elements.segments.by_thing())?;
     let line_of = contents.elements.segments.line_of_thing();
     let periodic = contents.periodic.lines(&line_of, contents.nodes.as_ref());
     let positions = contents.nodes.map(|nodes| nodes.positions).unwrap_or_default();
     let (lines, segments) = contents.elements.segments.into_lines();
-    let points = contents.points;
+    let mut points = contents.points;
+    if contents.version == MshVersion::V2 && has_no_faces {
+        surfaces.extend(only_named(&contents.physical_names, &segments)?);
+        // It does not say which points lie in a surface, and which are centers of arcs.
+        points.retain(|point| !point.name.is_empty());
+    }
     Ok(Polylines { positions, segments, lines, surfaces, periodic, points, others })
 }
 

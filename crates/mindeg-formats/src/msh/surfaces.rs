@@ -132,12 +132,23 @@ pub(super) fn physical_name(
     }
 }
 
-/// Refuses several names of surfaces in a file that does not say where these are.
-pub(super) fn check_surface_names(names: &HashMap<(i64, i64), String>) -> Result<(), ReadError> {
+/// The only surface that a file names without saying where it is: all lines bound it that do not end within it.
+///
+/// # Errors
+///
+/// Several names.
+pub(super) fn only_named(
+    names: &HashMap<(i64, i64), String>,
+    segments: &[[u32; 2]],
+) -> Result<Option<PlaneSurface>, ReadError> {
     let of_surfaces = names.iter().filter(|((dimension, _), _)| *dimension == 2);
     let mut names: Vec<&str> = of_surfaces.map(|(_, name)| &**name).collect();
     if names.len() < 2 {
-        return Ok(());
+        let surface = |name: &&str| {
+            let edges = around(segments.to_vec());
+            (!edges.is_empty()).then(|| PlaneSurface { name: (*name).to_owned(), edges })
+        };
+        return Ok(names.first().and_then(surface));
     }
     names.sort_unstable();
     let problem = format!(
