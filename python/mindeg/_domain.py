@@ -288,10 +288,20 @@ _READING = {
 
 def reading_of(path, text, **options):
     """A file, or GeoJSON, and all options of its reader."""
-    options = {key: given for key, given in options.items() if given is not None}
-    if "feature" in options:
-        options["feature"] = str(options["feature"])
+    options = {key: _read_as(key, given) for key, given in options.items() if given is not None}
     return {**_READING, **options, "path": path, "text": text}
+
+
+def _read_as(key, given):
+    """An option of a reader as the library takes it; a fault names its key."""
+    if key in ("size", "snap", "corner_angle"):
+        return number(given, key)
+    if key == "feature":
+        return str(given)
+    is_repair = key == "repair"
+    if not isinstance(given, bool if is_repair else str):
+        raise TypeError(f"{key} is {given!r}; give {'True or False' if is_repair else 'a text'}")
+    return given
 
 
 def _outline(path, text, **options):

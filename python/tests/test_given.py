@@ -239,6 +239,25 @@ def test_only_what_says_so_is_taken_for_degrees(recwarn):
     assert "project: " in refusal(lambda: mindeg.Domain(degrees, size=5000, project="mercator"))
 
 
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"size": "2km"}, "size is '2km'; give a finite number"),
+        ({"snap": [1], "repair": True}, r"snap is \[1\]; give a finite number"),
+        ({"corner_angle": "x"}, "corner_angle is 'x'; give a finite number"),
+        ({"repair": "yes"}, "repair is 'yes'; give True or False"),
+        ({"layer": 3}, "layer is 3; give a text"),
+        ({"project": 5}, "project is 5; give a text"),
+    ],
+)
+def test_options_of_another_type_are_refused_by_their_names(options, message):
+    for make in (mindeg.Domain, mindeg.mesh):
+        with pytest.raises((TypeError, ValueError), match=f"^{message}$"):
+            make(SQUARE, **options)
+    with pytest.raises(ValueError, match=r"^fixed_points: give \(n, 2\)"):
+        mindeg.mesh(SQUARE, size=1, interior=True, fixed_points=[1, 2])
+
+
 def test_files_in_degrees_get_degrees_of_a_projected_domain(tmp_path):
     shapely = pytest.importorskip("shapely")
     sea = shapely.box(20, 35, 21, 36)

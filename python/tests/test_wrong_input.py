@@ -180,7 +180,7 @@ def test_options_for_outlines_are_checked(tmp_path):
     assert len(mindeg.Domain(path, size=0.5).points) == 28 + 8
     for options, message in [
         ({"size": 0}, "size is 0; give a length above 0"),
-        ({"size": np.nan}, "size is NaN"),
+        ({"size": np.nan}, "size is nan; give a finite number"),
         ({"corner_angle": 181}, "corner_angle is 181"),
         ({"feature": 2}, 'no polygon is "2"; give a name, or an index from 1 to 1: 1'),
     ]:

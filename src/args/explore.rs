@@ -2,6 +2,7 @@
 
 use super::domain::DomainArguments;
 use super::purpose::PurposeArgument;
+use super::values::port;
 use super::with_exit_codes;
 use clap::Args;
 
@@ -28,7 +29,7 @@ pub(crate) struct ExploreArguments {
     pub(crate) purpose: PurposeArgument,
 
     /// The port to listen on; by default any that is free
-    #[arg(long, value_name = "PORT", value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(long, value_name = "PORT", value_parser = port, allow_hyphen_values = true)]
     pub(crate) port: Option<u16>,
 
     /// Print the address and open no browser

@@ -92,6 +92,12 @@ pub(crate) fn whole_number(text: &str) -> Result<u32, String> {
     number.map_err(|_| "give a whole number of 0 or more, such as 5".to_owned())
 }
 
+/// A port to listen on.
+pub(crate) fn port(text: &str) -> Result<u16, String> {
+    let number = text.trim().parse().ok().filter(|&port| port > 0);
+    number.ok_or_else(|| "give a whole number from 1 to 65535".to_owned())
+}
+
 /// The right spelling, and that decimals have a point, if digits round a comma look like one.
 fn with_decimal_hint(text: &str, example: &str) -> String {
     let bytes = text.as_bytes();

@@ -26,8 +26,8 @@ pub(crate) fn wanted(given: &str, base: &Interior) -> PyResult<(Interior, Vec<In
     for (key, value) in serde_json::from_str::<Map<String, Value>>(given).map_err(value_error)? {
         match &*key {
             "fixed_points" => {
-                let rows: Option<Vec<[f64; 2]>> =
-                    serde_json::from_value(value).map_err(value_error)?;
+                let rows: Option<Vec<[f64; 2]>> = serde_json::from_value(value)
+                    .map_err(|_| value_error("fixed_points: give (n, 2), x and y of each point"))?;
                 let point = |at: [f64; 2]| InnerPoint { at: at.into(), ..InnerPoint::default() };
                 points = rows.unwrap_or_default().into_iter().map(point).collect();
             }

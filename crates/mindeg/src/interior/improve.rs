@@ -171,7 +171,7 @@ fn plane(mesh: &TriMesh, positions: &[DVec3], triangles: &[[u32; 3]]) -> Result<
     if normal.length() < 0.5 * total || normal == DVec3::ZERO || !normal.is_finite() {
         return Err(MeshError::refused(
             "the mesh is not planar, or parts of it are turned over: its triangles face opposite ways or \
-             have no area; give a flat mesh whose triangles face one way",
+             have no area; give a flat mesh whose triangles face one way; remesh takes surfaces in space",
         ));
     }
     let plane = Plane::new(low.midpoint(high), normal);
