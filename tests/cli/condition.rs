@@ -16,8 +16,8 @@ fn two_points_on_edges_lift_the_limit_and_the_mesh() {
     assert_eq!(
         run.text(),
         "great-britain: 391 boundary points become 393: 0 dropped, 2 put on edges, 0 sharp corners cut off, 0 holes \
-         dropped\nIt moved nowhere. The minimum angle of a mesh can be 30.691°, 15.876° before.\n1 place stays below the angle:\n  at (185.9, 458): \
-         28.479°; no better triangles were found of an inlet one edge wide: allow a larger distance, or close it by a least width\n"
+         dropped\nIt moved nowhere. The minimum angle of a mesh can be 30.691°, 15.876° before.\n2 places stay below the angle:\n  at (185.9, 458): \
+         28.479°; no better triangles were found of an inlet or strait one edge wide: allow a larger distance, or close it by a least width\n  at (-152, 669.4): 28.373°; no better triangles were found of an inlet or strait one edge wide: allow a larger distance, or close it by a least width\n"
     );
     let angle = |domain: &str| {
         let mesh = folder.path().join("mesh.obj").display().to_string();

@@ -140,7 +140,7 @@ impl ConditionAnswer {
                 Reason::Kept => "its points are to stay: keep fewer",
                 Reason::Short => "its edges would get too short: allow a larger distance",
                 Reason::Narrow => {
-                    "no better triangles were found of an inlet one edge wide: allow a larger distance, or close it by a least width"
+                    "no better triangles were found of an inlet or strait one edge wide: allow a larger distance, or close it by a least width"
                 }
             };
             let at = left.at.to_array();

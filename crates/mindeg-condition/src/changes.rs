@@ -89,6 +89,6 @@ pub enum Reason {
     Kept,
     /// The edges there would get too short to tell their points apart.
     Short,
-    /// An inlet about one edge wide: its triangles together reach no more, whatever single vertices allow.
+    /// An inlet or a strait about one edge wide: its triangles together reach no more, whatever single vertices allow.
     Narrow,
 }

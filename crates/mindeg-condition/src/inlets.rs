@@ -1,4 +1,4 @@
-//! Inlets about one edge wide: what single vertices and pairs of edges allow, their triangles together may not.
+//! Inlets and straits about one edge wide: what single vertices and pairs of edges allow, their triangles together may not.
 //!
 //! In such an inlet there is hardly room for points, so its triangles have their corners on its shore. The best of these
 //! triangulations is found exactly (`fit.rs`). Where it stays below the demanded angle, and so does a mesh of the inlet with points
@@ -8,6 +8,7 @@
 mod chords;
 mod fit;
 mod shift;
+mod straits;
 
 use crate::chains::Chains;
 use crate::changes::{BoundaryChange, ChangeKind, Left, Reason};
@@ -16,7 +17,9 @@ use crate::error::ConditionError;
 use chords::inlets;
 use fit::{angle_further_in, angle_of, angle_with_point, meshed_angle};
 use glam::DVec2;
+use mindeg_mesh::Progress;
 use mindeg_mesh::planar::PlanarBoundary;
+use straits::straits;
 
 /// So often all inlets are looked at, since a change of one may be another one's.
 const ROUNDS: usize = 2;
@@ -48,25 +51,31 @@ impl Chains {
         let mut is_changed = true;
         for round in 0.. {
             // Where a vertex has a smaller limit of its own, that is what decides.
-            let is_open = |inlet: &Vec<u32>| self.least_limit(inlet) >= demands.angle;
-            let found = inlets(self, &prove(self)?)?.into_iter().filter(is_open);
-            let limits = found.map(|inlet| (self.reached(&inlet, demands.angle), inlet));
-            let small: Vec<(f64, Vec<u32>)> =
+            let is_open = |shores: &Vec<Vec<u32>>| self.least_limit(shores) >= demands.angle;
+            let boundary = prove(self)?;
+            let (inner, lines) = (boundary.inner_points(), boundary.segments());
+            let triangles = mindeg_delaunay::triangles(&boundary, inner, lines, Progress::NONE)
+                .map_err(|error| ConditionError::Narrow(error.to_string()))?;
+            let inlets = inlets(self, &boundary, &triangles);
+            let straits = straits(self, &boundary, &triangles, &inlets);
+            let found = inlets.into_iter().map(|shore| vec![shore]).chain(straits);
+            let limits = found.filter(is_open).map(|shores| self.reached(shores, demands.angle));
+            let small: Vec<(f64, Vec<Vec<u32>>)> =
                 limits.filter(|(limit, _)| *limit < demands.angle).collect();
             if !is_changed || small.is_empty() || round == ROUNDS {
-                let left = |(limit, inlet): &(f64, Vec<u32>)| Left {
-                    at: self.at(inlet[inlet.len() / 2]),
-                    limit: limit.max(angle_further_in(self, inlet)),
+                let left = |(limit, shores): &(f64, Vec<Vec<u32>>)| Left {
+                    at: self.at(shores[0][shores[0].len() / 2]),
+                    limit: limit.max(angle_further_in(self, shores).0),
                     reason: Reason::Narrow,
                 };
                 let left = small.iter().map(left);
                 return Ok(left.filter(|left| left.limit < demands.angle).collect());
             }
             is_changed = false;
-            for (limit, inlet) in small {
-                // A change of another one may have taken points of it.
-                if inlet.iter().all(|v| self.vertices[*v as usize].is_alive) {
-                    is_changed |= self.widen(inlet, limit, demands);
+            for (limit, shores) in small {
+                // A change of another one may have taken points of it, or put some on its edges.
+                if shores.iter().all(|shore| self.is_run(shore)) {
+                    is_changed |= self.widen(shores, limit, demands);
                 }
             }
             if is_changed {
@@ -76,14 +85,38 @@ impl Chains {
         Ok(Vec::new())
     }
 
-    /// The angle that is reached in an inlet closed at its mouth: by triangles alone, or else with points inside.
-    fn reached(&self, inlet: &[u32], wanted: f64) -> f64 {
-        let alone = angle_of(self, inlet);
-        if alone >= wanted { alone } else { alone.max(meshed_angle(self, inlet)) }
+    /// The angle that is reached between shores: by triangles alone, or else with points inside; and the shores up to the mouths for that.
+    fn reached(&self, shores: Vec<Vec<u32>>, wanted: f64) -> (f64, Vec<Vec<u32>>) {
+        let alone = angle_of(self, &shores);
+        if alone >= wanted {
+            return (alone, shores);
+        }
+        let meshed = meshed_angle(self, &shores);
+        if meshed >= wanted || shores.len() == 1 {
+            return (alone.max(meshed), shores);
+        }
+        // The mouths of a strait are anywhere.
+        let (further_in, within) = angle_further_in(self, &shores);
+        if further_in > alone.max(meshed) {
+            (further_in, within)
+        } else {
+            (alone.max(meshed), shores)
+        }
+    }
+
+    /// Whether a shore is there, point by point.
+    fn is_run(&self, shore: &[u32]) -> bool {
+        shore.iter().all(|v| self.vertices[*v as usize].is_alive)
+            && shore.windows(2).all(|ends| self.next(ends[0]) == ends[1])
     }
 
     /// Changes an inlet until its triangles can have the demanded angle, or nothing more helps. Tells whether anything has changed.
-    fn widen(&mut self, mut inlet: Vec<u32>, mut limit: f64, demands: &BoundaryDemands) -> bool {
+    fn widen(
+        &mut self,
+        mut shores: Vec<Vec<u32>>,
+        mut limit: f64,
+        demands: &BoundaryDemands,
+    ) -> bool {
         let mut is_changed = false;
         for _ in 0..MOST_CHANGES {
             if limit >= demands.angle {
@@ -91,8 +124,10 @@ impl Chains {
             }
             // The angle that each reaches, up to the demand, how far it moves the shore, and the step.
             let mut steps: Vec<(f64, f64, Step)> = Vec::new();
-            for step in self.steps(&inlet, demands) {
-                let Some((reached, moved)) = self.try_step(step, &inlet, demands) else { continue };
+            for step in self.steps(&shores, demands) {
+                let Some((reached, moved)) = self.try_step(step, &shores, demands) else {
+                    continue;
+                };
                 if reached >= (limit + WORTH).min(demands.angle) {
                     steps.push((reached.min(demands.angle), moved, step));
                 }
@@ -100,35 +135,47 @@ impl Chains {
             steps.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.total_cmp(&b.1)));
             let best = steps.into_iter().find(|(_, _, step)| self.is_safe(*step));
             let Some((_, _, step)) = best else { break };
-            self.take(step, &mut inlet, demands);
-            limit = angle_of(self, &inlet).min(self.least_limit(&inlet));
+            self.take(step, &mut shores, demands);
+            limit = angle_of(self, &shores).min(self.least_limit(&shores));
             is_changed = true;
         }
         is_changed
     }
 
     /// The least limit at the shore's own vertices and those beside them.
-    fn least_limit(&self, inlet: &[u32]) -> f64 {
-        let before = inlet.first().map(|first| self.previous(*first));
-        let after = inlet.last().map(|last| self.next(*last));
-        let all = inlet.iter().copied().chain(before).chain(after);
+    fn least_limit(&self, shores: &[Vec<u32>]) -> f64 {
+        let around = |shore: &Vec<u32>| {
+            let before = shore.first().map(|first| self.previous(*first));
+            let after = shore.last().map(|last| self.next(*last));
+            [before, after].into_iter().flatten()
+        };
+        let all = shores.iter().flatten().copied().chain(shores.iter().flat_map(around));
         all.map(|v| self.limit(v)).fold(60.0, f64::min)
     }
 
     /// All changes that there are.
-    fn steps(&self, inlet: &[u32], demands: &BoundaryDemands) -> Vec<Step> {
+    fn steps(&self, shores: &[Vec<u32>], demands: &BoundaryDemands) -> Vec<Step> {
         let mut steps = Vec::new();
-        for (index, &vertex) in inlet.iter().enumerate() {
-            let is_end = index == 0 || index + 1 == inlet.len();
+        let of_shore = |shore: &Vec<u32>| {
+            let ends = [shore[0], shore[shore.len() - 1]];
+            shore
+                .iter()
+                .map(move |v| (*v, *v == ends[0] || *v == ends[1], *v == ends[1]))
+                .collect::<Vec<_>>()
+        };
+        for (vertex, is_end, is_last) in shores.iter().flat_map(of_shore) {
             let is_old = demands.within > 0.0 && self.vertices[vertex as usize].home.is_none();
             if !is_end && is_old && self.drop_distance(vertex, demands).is_some() {
                 steps.push(Step::Drop { vertex });
             }
-            if index + 1 < inlet.len() && !self.is_kept_edge(vertex) {
+            if !is_last && !self.is_kept_edge(vertex) {
                 let at = self.at(vertex).midpoint(self.at(self.next(vertex)));
                 steps.push(Step::Insert { edge: vertex, at });
             }
             let Some((home, reach)) = self.reach(vertex, demands) else { continue };
+            // Farther than an edge is long there is seldom a place for it.
+            let edges = self.edges_at(vertex).map(|edge| self.length(edge));
+            let reach = edges.fold(0.0, f64::max).min(reach);
             for share in SHARES {
                 for direction in 0..DIRECTIONS {
                     let angle = std::f64::consts::TAU * direction as f64 / DIRECTIONS as f64;
@@ -144,21 +191,22 @@ impl Chains {
     fn try_step(
         &mut self,
         step: Step,
-        inlet: &[u32],
+        shores: &[Vec<u32>],
         demands: &BoundaryDemands,
     ) -> Option<(f64, f64)> {
         match step {
             Step::Shift { vertex, to } => {
                 let moved = self.shifted_by(vertex, to, demands)?;
                 let old = std::mem::replace(&mut self.vertices[vertex as usize].point.at, to);
-                let own = self.least_limit(inlet);
-                let reached = (own >= demands.angle).then(|| angle_of(self, inlet));
+                let own = self.least_limit(shores);
+                let reached = (own >= demands.angle).then(|| angle_of(self, shores));
                 self.vertices[vertex as usize].point.at = old;
                 Some((reached?, moved))
             }
             // Its own limits are no smaller then.
             Step::Drop { vertex } => {
-                let without: Vec<u32> = inlet.iter().copied().filter(|v| *v != vertex).collect();
+                let mut without = shores.to_vec();
+                without.iter_mut().for_each(|shore| shore.retain(|v| *v != vertex));
                 let reached = angle_of(self, &without);
                 Some((reached, self.drop_distance(vertex, demands)?))
             }
@@ -166,24 +214,27 @@ impl Chains {
                 let [from, to] = [edge, self.next(edge)];
                 let beside = self.limit_with(from, to, at).min(self.limit_with(to, from, at));
                 let is_good = beside >= demands.angle;
-                is_good.then(|| (angle_with_point(self, inlet, edge, at), 0.0))
+                is_good.then(|| (angle_with_point(self, shores, edge, at), 0.0))
             }
         }
     }
 
     /// Makes a change.
-    fn take(&mut self, step: Step, inlet: &mut Vec<u32>, demands: &BoundaryDemands) {
+    fn take(&mut self, step: Step, shores: &mut [Vec<u32>], demands: &BoundaryDemands) {
         match step {
             Step::Shift { vertex, to } => self.shift(vertex, to, demands),
             Step::Drop { vertex } => {
                 self.drop(vertex);
-                inlet.retain(|v| *v != vertex);
+                shores.iter_mut().for_each(|shore| shore.retain(|v| *v != vertex));
             }
             Step::Insert { edge, at } => {
                 let new = self.insert(edge, at);
                 self.changes.push(BoundaryChange { kind: ChangeKind::Inserted, at });
-                let at = inlet.iter().position(|v| *v == edge);
-                inlet.insert(at.map_or(inlet.len(), |at| at + 1), new);
+                for shore in shores {
+                    if let Some(at) = shore.iter().position(|v| *v == edge) {
+                        shore.insert(at + 1, new);
+                    }
+                }
             }
         }
     }

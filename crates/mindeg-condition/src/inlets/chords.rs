@@ -1,26 +1,21 @@
 //! Where shores face each other about one edge apart: inlets that an edge of the triangulation closes.
 
 use crate::chains::Chains;
-use crate::error::ConditionError;
-use mindeg_mesh::Progress;
 use mindeg_mesh::planar::PlanarBoundary;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The most edges of an inlet's shore.
 const MOST_EDGES: usize = 16;
 /// No edge across an inlet is longer than so many edges of its shore.
-const WIDTH: f64 = 1.5;
+pub(super) const WIDTH: f64 = 1.5;
 
 /// The inlets of a boundary, whose vertices are the chains' in order: the shore of each, from one end of its mouth to the other, with the domain
 /// on the left. None lies in another one.
 pub(super) fn inlets(
     chains: &Chains,
     boundary: &PlanarBoundary,
-) -> Result<Vec<Vec<u32>>, ConditionError> {
-    let inner = boundary.inner_points();
-    let triangles =
-        mindeg_delaunay::triangles(boundary, inner, boundary.segments(), Progress::NONE)
-            .map_err(|error| ConditionError::Narrow(error.to_string()))?;
+    triangles: &[[u32; 3]],
+) -> Vec<Vec<u32>> {
     let vertices: Vec<u32> = chains.ring_order().concat();
     let on_rings = vertices.len() as u32;
     // The triangle on the left of each edge inside.
@@ -96,5 +91,5 @@ pub(super) fn inlets(
         used.extend(shore);
         found.push(shore.iter().map(|v| vertices[*v as usize]).collect());
     }
-    Ok(found)
+    found
 }
