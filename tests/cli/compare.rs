@@ -53,6 +53,25 @@ fn a_report_comes_in_every_format() {
     assert!(report["verdict"].is_string() && report["domain"].is_object());
 }
 
+/// Angles have three decimals, those below a tenth of a degree four digits; times have one unit.
+#[test]
+fn every_table_of_a_report_has_the_same_digits() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [report, curve] = ["report.html", "curve.html"].map(|name| folder.path().join(name));
+    mindeg(["compare", "assets/domains/plate-with-holes.json", "--interior", "-o", text(&report)]);
+    mindeg(["tradeoff", "assets/domains/wing-panel.json", "-o", text(&curve)]);
+    for page in [report, curve].map(|path| fs::read_to_string(path).expect("a report")) {
+        let cells = page.split("</td>").filter_map(|cell| Some(cell.rsplit_once('>')?.1));
+        let angles: Vec<&str> = cells.filter_map(|cell| cell.strip_suffix('°')).collect();
+        assert!(angles.len() > 7, "{angles:?}");
+        for angle in angles {
+            let decimals = angle.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+            assert!(decimals == 3 || angle.starts_with("0.0"), "{angle}");
+        }
+        assert!(!page.contains("µs"));
+    }
+}
+
 #[test]
 fn many_domains_make_a_folder_with_an_index() {
     let folder = tempfile::tempdir().expect("a folder");

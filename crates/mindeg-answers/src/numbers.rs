@@ -34,7 +34,7 @@ pub fn four_digits(value: f64) -> String {
     }
 }
 
-/// An angle in degrees, where it is not in a column: to three decimals, and one too small for them to four significant digits.
+/// An angle in degrees: to three decimals, and one too small for them to four significant digits.
 ///
 /// ```
 /// use mindeg_answers::numbers::steady_angle;
@@ -51,9 +51,9 @@ pub fn steady_angle(degrees: f64) -> String {
 /// ```
 /// use mindeg_answers::numbers::Column;
 ///
-/// let angles = [0.1246, 2.01, 163.884];
-/// let column = Column::new(angles, 3);
-/// assert_eq!(angles.map(|value| column.angle(value)), ["0.125°", "2.010°", "163.884°"]);
+/// let lengths = [0.1246, 2.01, 163.884];
+/// let column = Column::new(lengths, 3);
+/// assert_eq!(lengths.map(|value| column.number(value)), ["0.125", "2.010", "163.884"]);
 /// assert_eq!(column.number(1.5e-9), "1.5e-9");
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -86,12 +86,6 @@ impl Column {
         } else {
             significant(value, 3)
         }
-    }
-
-    /// An angle of the column, in degrees.
-    #[must_use]
-    pub fn angle(self, degrees: f64) -> String {
-        format!("{}°", self.number(degrees))
     }
 }
 
@@ -149,18 +143,16 @@ pub fn count(value: impl Into<u64>) -> String {
     grouped
 }
 
-/// A duration.
+/// A duration in one unit, as those of a column are written; its unit stays beside it.
 ///
 /// ```
-/// assert_eq!(mindeg_answers::numbers::seconds(0.0123), "12 ms");
+/// use mindeg_answers::numbers::milliseconds;
+///
+/// assert_eq!([2.34e-6, 0.0123, 1.523].map(milliseconds), ["0.0023\u{a0}ms", "12\u{a0}ms", "1523\u{a0}ms"]);
 /// ```
 #[must_use]
-pub fn seconds(seconds: f64) -> String {
-    match seconds {
-        s if s < 1e-3 => format!("{} µs", significant(s * 1e6, 2)),
-        s if s < 1.0 => format!("{} ms", significant(s * 1e3, 2)),
-        s => format!("{} s", significant(s, 3)),
-    }
+pub fn milliseconds(seconds: f64) -> String {
+    format!("{}\u{a0}ms", significant(seconds * 1e3, 2))
 }
 
 #[cfg(test)]
@@ -220,11 +212,10 @@ mod tests {
     }
 
     #[test]
-    fn groups_digits_and_scales_times() {
+    fn groups_digits() {
         assert_eq!(
             [1000_u32, 10_000, 1_234_567].map(count),
             ["1000", "10\u{202f}000", "1\u{202f}234\u{202f}567"]
         );
-        assert_eq!([2.34e-6, 0.0123, 1.5, 60.0].map(seconds), ["2.3 µs", "12 ms", "1.5 s", "60 s"]);
     }
 }

@@ -8,7 +8,7 @@ use super::{Provenance, Report, svg};
 use crate::Method;
 use askama::Template;
 use mindeg_answers::advice::Advice;
-use mindeg_answers::numbers::{Column, count};
+use mindeg_answers::numbers::{count, steady_angle};
 use std::io::{self, Write};
 
 const SCRIPT: &str = include_str!("index.js");
@@ -124,12 +124,11 @@ struct Cell {
 ///
 /// The errors of `out`.
 pub fn write_index(entries: &[IndexEntry], mut out: impl Write) -> io::Result<()> {
-    let angles = angles(entries);
     let mut rows = Vec::new();
     let mut failures = Vec::new();
     for IndexEntry { name, outcome } in entries {
         match outcome {
-            Ok(line) => rows.push(Row { name, link: &line.link, cells: cells(line, angles) }),
+            Ok(line) => rows.push(Row { name, link: &line.link, cells: cells(line) }),
             Err(reason) => failures.push((name.as_str(), reason.as_str())),
         }
     }
@@ -148,30 +147,19 @@ pub fn write_index(entries: &[IndexEntry], mut out: impl Write) -> io::Result<()
     out.write_all(rendered(&page)?.as_bytes())
 }
 
-/// All angles of the table, which share their decimals.
-fn angles(entries: &[IndexEntry]) -> Column {
-    let lines = entries.iter().filter_map(|entry| entry.outcome.as_ref().ok());
-    let all = lines.flat_map(|line| {
-        let own = [line.mindeg, line.delaunay].into_iter().flatten().map(|(_, angle)| angle);
-        let advised = [line.advice.solver, line.advice.patch].into_iter().flatten();
-        own.chain(advised.map(|mesh| mesh.min_angle))
-    });
-    Column::new(all, 2)
-}
-
-fn cells(line: &Line, angles: Column) -> Vec<Cell> {
+fn cells(line: &Line) -> Vec<Cell> {
     let whole = |value: u32| (f64::from(value), count(value));
     let lower = line.mindeg.zip(line.delaunay).is_some_and(|(own, there)| own.0 < there.0);
     let larger = line.mindeg.zip(line.delaunay).is_some_and(|(own, there)| own.1 < 0.999 * there.1);
     let figures = [
         (Some(whole(line.vertices)), false),
-        (line.advice.solver.map(|it| (it.min_angle, angles.angle(it.min_angle))), false),
+        (line.advice.solver.map(|it| (it.min_angle, steady_angle(it.min_angle))), false),
         (line.advice.patch.map(|it| whole(it.max_degree)), false),
-        (line.advice.patch.map(|it| (it.min_angle, angles.angle(it.min_angle))), false),
+        (line.advice.patch.map(|it| (it.min_angle, steady_angle(it.min_angle))), false),
         (line.mindeg.map(|(degree, _)| whole(degree)), lower),
-        (line.mindeg.map(|(_, angle)| (angle, angles.angle(angle))), false),
+        (line.mindeg.map(|(_, angle)| (angle, steady_angle(angle))), false),
         (line.delaunay.map(|(degree, _)| whole(degree)), false),
-        (line.delaunay.map(|(_, angle)| (angle, angles.angle(angle))), larger),
+        (line.delaunay.map(|(_, angle)| (angle, steady_angle(angle))), larger),
     ];
     let headings = COLUMNS.iter().skip(1).map(|(heading, _)| *heading);
     let cells = headings.zip(figures).map(|(heading, (figure, is_better))| {

@@ -14,7 +14,7 @@ use crate::{InteriorFigures, Method};
 use mindeg::quality::Distribution;
 use mindeg_answers::advice::Purpose;
 use mindeg_answers::measures::SHOWN;
-use mindeg_answers::numbers::{Column, count, seconds, steady_angle, steady_percent};
+use mindeg_answers::numbers::{Column, count, milliseconds, steady_angle, steady_percent};
 use std::ops::RangeInclusive;
 
 /// Text in rows and columns; the first column names the row.
@@ -87,8 +87,6 @@ pub(crate) fn decisive(title: &str, columns: &[(String, &MethodFigures)]) -> Tab
 pub(crate) fn overview(report: &Report) -> Table {
     let optimum = report.domain.at_least;
     let named = named(report);
-    let least = Column::new(named.iter().filter_map(|named| named.figures.min_angle), DIGITS);
-    let greatest = Column::new(named.iter().filter_map(|named| named.figures.max_angle), 4);
     let row = |Named { name, figures, .. }: &Named| {
         let has_mesh = figures.max_degree.is_some();
         let busier: u64 = figures.vertices_above_least.values().sum();
@@ -96,9 +94,9 @@ pub(crate) fn overview(report: &Report) -> Table {
             name.clone(),
             text(figures.max_degree, count),
             text(has_mesh.then_some(busier), count),
-            text(figures.min_angle, |angle| least.angle(angle)),
-            text(figures.max_angle, |angle| greatest.angle(angle)),
-            text(figures.seconds, seconds),
+            text(figures.min_angle, steady_angle),
+            text(figures.max_angle, steady_angle),
+            text(figures.seconds, milliseconds),
             check(figures).to_owned(),
         ]
     };
@@ -122,8 +120,6 @@ pub(crate) fn overview(report: &Report) -> Table {
 /// Meshes with interior points, a row for each; empty unless asked for.
 pub(crate) fn interior(report: &Report) -> Option<Table> {
     let all = &report.interior;
-    let least = Column::new(all.iter().filter_map(|figures| figures.min_angle), DIGITS);
-    let greatest = Column::new(all.iter().filter_map(|figures| figures.max_angle), 4);
     let row = |figures: &InteriorFigures| {
         let degree = |degree: Option<u32>| text(degree, count);
         let mesh = match &figures.failure {
@@ -133,14 +129,14 @@ pub(crate) fn interior(report: &Report) -> Option<Table> {
         vec![
             mesh,
             text(figures.triangles, |triangles| count(triangles as u64)),
-            text(figures.min_angle, |angle| least.angle(angle)),
+            text(figures.min_angle, steady_angle),
             text(figures.share_of_limit, steady_percent),
-            text(figures.max_angle, |angle| greatest.angle(angle)),
+            text(figures.max_angle, steady_angle),
             degree(figures.max_interior_degree),
             degree(figures.max_boundary_degree),
             text(figures.violations, |violations| count(violations as u64)),
             text(figures.grading_p99, |grading| format!("{grading:.2}")),
-            text(figures.seconds, seconds),
+            text(figures.seconds, milliseconds),
         ]
     };
     (!all.is_empty()).then(|| Table {
@@ -285,15 +281,13 @@ pub(crate) fn metrics(report: &Report) -> Vec<Table> {
 pub(crate) fn worst(meshes: &[Named]) -> Vec<Table> {
     let tables = with_triangles(meshes).map(|mesh| {
         let worst = &mesh.figures.worst_triangles;
-        let least = Column::new(worst.iter().map(|triangle| triangle.min_angle), DIGITS);
-        let greatest = Column::new(worst.iter().map(|triangle| triangle.max_angle), 4);
         let row = |triangle: &mindeg_answers::inspected::ThinTriangle| {
             let [a, b, c] = triangle.vertices;
             vec![
                 triangle.triangle.to_string(),
                 format!("{a}, {b}, {c}"),
-                least.angle(triangle.min_angle),
-                greatest.angle(triangle.max_angle),
+                steady_angle(triangle.min_angle),
+                steady_angle(triangle.max_angle),
             ]
         };
         Table {

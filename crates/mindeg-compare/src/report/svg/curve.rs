@@ -10,7 +10,7 @@ use askama::Template;
 use glam::DVec2;
 use mindeg::Bounds;
 use mindeg::exact::{ExactMesh, TradeOff};
-use mindeg_answers::numbers::{Column, count, percent, significant};
+use mindeg_answers::numbers::{count, percent, significant, steady_angle};
 
 /// Space for numbers left of the axis and below it, and for what reaches over the right end.
 const LEFT: f64 = 68.0;
@@ -98,10 +98,9 @@ impl Curve {
         is_linked: impl Fn(u32) -> bool,
     ) -> Self {
         let axes = Axes::new(trade_off, space, marks);
-        let column = column(trade_off);
         let Bounds { min, max } = axes.space;
         let ceiling = axes.y(trade_off.delaunay_min_angle());
-        let delaunay_angle = column.angle(trade_off.delaunay_min_angle());
+        let delaunay_angle = steady_angle(trade_off.delaunay_min_angle());
         let radius = (0.3 * axes.step).clamp(2.0, 6.0);
         let point = |exact: &ExactMesh| {
             let place = axes.place(exact);
@@ -112,7 +111,7 @@ impl Curve {
                 title: format!(
                     "degree {}: {}, {} of Delaunay's",
                     count(exact.max_degree),
-                    column.angle(exact.min_angle),
+                    steady_angle(exact.min_angle),
                     percent(trade_off.share(exact)),
                 ),
                 is_linked: is_linked(exact.max_degree),
@@ -146,11 +145,6 @@ impl Curve {
             labels: axes.labels(trade_off, marks),
         }
     }
-}
-
-/// The angles of a curve, which share their decimals.
-fn column(trade_off: &TradeOff) -> Column {
-    Column::new(trade_off.meshes().iter().map(|exact| exact.min_angle), 3)
 }
 
 /// A level line from each point to the next, then up.
@@ -223,7 +217,6 @@ impl Axes {
     /// The angles themselves, below the steps on their right, where no line is: of the advised mesh,
     /// of the first, and of as many others as there is space for. Delaunay's is on its line.
     fn labels(&self, trade_off: &TradeOff, marks: Marks) -> Vec<Label> {
-        let column = column(trade_off);
         let is_advised = |exact: &ExactMesh| marks.advised == Some(exact.max_degree);
         let meshes = || trade_off.meshes().iter();
         let others = meshes()
@@ -236,7 +229,7 @@ impl Axes {
             if !has_space || taken.iter().any(|other| (other - x).abs() < APART) {
                 continue;
             }
-            let text = column.angle(exact.min_angle);
+            let text = steady_angle(exact.min_angle);
             // Degrees that change nothing need no second label.
             if labels.iter().any(|label: &Label| label.text == text) {
                 continue;

@@ -14,7 +14,7 @@ use glam::DVec2;
 use mindeg::Bounds;
 use mindeg::exact::{ExactMesh, TradeOff};
 use mindeg_answers::advice::{Advice, KEPT, Purpose};
-use mindeg_answers::numbers::{Column, count, percent, steady_angle, steady_percent};
+use mindeg_answers::numbers::{count, percent, steady_angle, steady_percent};
 use mindeg_formats::svg::Inset;
 use mindeg_mesh::TriMesh;
 use std::io::{self, Write};
@@ -207,15 +207,12 @@ fn verdict(trade_off: &TradeOff, advice: &Advice, told: Option<Purpose>) -> Vec<
 }
 
 fn table(trade_off: &TradeOff) -> Table {
-    let meshes = trade_off.meshes();
-    let least = Column::new(meshes.iter().map(|exact| exact.min_angle), 3);
-    let greatest = Column::new(meshes.iter().map(|exact| exact.mesh.angle_range().max), 4);
     let row = |exact: &ExactMesh| {
         vec![
             count(exact.max_degree),
-            least.angle(exact.min_angle),
+            steady_angle(exact.min_angle),
             steady_percent(trade_off.share(exact)),
-            greatest.angle(exact.mesh.angle_range().max),
+            steady_angle(exact.mesh.angle_range().max),
         ]
     };
     Table {
