@@ -31,7 +31,7 @@ pub use decision::{Decision, Element, Literal, Refutation, SearchedAngle};
 pub const MAX_CANDIDATES: usize = 1_000_000;
 
 /// The steps of the first turn of several searches, as a divisor of all; each turn is longer by a part of the one before.
-pub(crate) const FIRST_TURN: u64 = 64;
+pub(crate) const FIRST_TURN: u64 = 72;
 pub(crate) const GROWTH: u64 = 8;
 
 /// The triangles that the triangulations of one face or of several may have.

@@ -600,6 +600,17 @@ fn limits_that_no_mesh_with_holes_keeps_are_refused_with_the_proof() {
     }
 }
 
+/// A search whose attention wanders from place to place takes four times as many steps, and states a gap.
+#[test]
+fn a_refutation_with_holes_takes_few_steps() {
+    let boundary = stars::star(250, 2, 6);
+    let triangles = mindeg_delaunay::triangles(&boundary, &[], &[], Progress::NONE).unwrap();
+    let mut problem = mindeg_exact::Problem::triangulated(&boundary, &triangles).unwrap();
+    problem.set_max_steps(14_000_000);
+    let range = mindeg_exact::degree_range(&problem, Progress::NONE).unwrap();
+    assert_eq!((range.lower_bound, range.max_degree), (6, 6));
+}
+
 /// A thousand clauses hold as they are; against a limit that a mesh keeps, none of them with a change does.
 #[test]
 fn long_proofs_hold_and_with_changes_do_not() {

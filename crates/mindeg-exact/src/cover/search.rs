@@ -1,9 +1,10 @@
 //! The search for values that keep all rows: unit propagation, a clause from every conflict.
 //!
-//! A row counts how many of its literals may still hold and how many may still not; when one of the counts is 0, the
-//! others follow. A conflict is traced back to the first literal of its level that implies it with those of
-//! earlier levels (the first unique implication point); the clause that says so is learned, and the search goes
-//! back to where it has one free literal. Learned clauses watch two of their literals.
+//! A row of a vertex counts how many of its literals may still hold; when none may, the others do not. A row of which
+//! exactly one holds watches two that may: most triangles that are excluded then cost nothing. A conflict is traced back
+//! to the first literal of its level that implies it with those of earlier levels (the first unique implication point);
+//! the clause that says so is learned, and the search goes back to where it has one free literal. Learned clauses watch
+//! two of their literals, too.
 
 use super::decision::Decision;
 use super::rows::{Code, Rows};
@@ -24,11 +25,15 @@ use restarts::Restarts;
 const FIRST_CLAUSES: usize = 4000;
 const MORE_CLAUSES: usize = 1000;
 
-/// The most words that clauses and their origins take: 128 MB.
-const MOST_WORDS: usize = 1 << 25;
+/// The most words that clauses and their origins take, 64 MB and 192 MB: a refutation keeps all that it learned.
+const MOST_WORDS: usize = 1 << 24;
+const MOST_WORDS_OF_REFUTATION: usize = 3 << 24;
 
 /// Conflicts from one report of progress to the next.
 const REPORT: u64 = 64;
+
+/// The first row in the lists of what watches a literal; clauses come before. A clause has a word at least.
+const FIRST_ROW: u32 = 1 << 31;
 
 /// Activities are scaled down when they exceed this.
 const MOST_ACTIVITY: f64 = 1e100;
@@ -51,10 +56,20 @@ enum Reason {
     Clause(u32),
     /// As many literals of a row hold as may.
     Most(u32),
-    /// As many literals of a row do not hold as may not.
+    /// All other literals of a row of which one holds do not.
     Least(u32),
-    /// These two chords cross.
-    Crossing([u32; 2]),
+    /// This literal excludes it: one row has both, or they are chords that cross.
+    Excluded(Code),
+    /// These two literals exclude each other.
+    Both([Code; 2]),
+}
+
+/// Why a variable has its value, and when it was set: in which level, and where in the trail.
+#[derive(Clone, Copy, Debug)]
+struct Given {
+    reason: Reason,
+    level: u32,
+    position: u32,
 }
 
 /// A learned clause.
@@ -76,16 +91,15 @@ pub(crate) struct Search<'a> {
     /// For each variable the rows with it: twice the row, and one more where it is negated.
     row_starts: Vec<u32>,
     rows_of: Vec<u32>,
-    /// For each row how many of its literals may hold, and how many may not, beyond those of the trail up to `head`.
-    /// A negative number is a conflict.
-    rooms: Vec<[i32; 2]>,
-    /// Rows of which one of the two has just become 0, as in `rows_of`.
-    full: Vec<u32>,
+    /// For each row how many of its literals may hold beyond those of the trail up to `head`; only those of vertices are
+    /// counted. A negative number is a conflict.
+    rooms: Vec<i32>,
+    /// The two literals of each other row that are watched.
+    watched_in: Vec<[u32; 2]>,
     /// For each literal whether it holds (1), its negation (-1), or neither.
     values: Vec<i8>,
-    reasons: Vec<Reason>,
-    levels: Vec<u32>,
-    positions: Vec<u32>,
+    /// For each variable that has a value why and when.
+    given: Vec<Given>,
     /// The literals that hold, in order.
     trail: Vec<Code>,
     level_starts: Vec<u32>,
@@ -96,8 +110,8 @@ pub(crate) struct Search<'a> {
     /// Their origins: twice a clause, or twice a variable and one more.
     origins: Vec<u32>,
     watched: usize,
-    /// For each literal the clauses that watch it, each with another literal of the clause: while that holds, the
-    /// clause does.
+    /// For each literal the clauses that watch it, and the rows from [`FIRST_ROW`] on, each with another literal: while
+    /// that holds, the clause or row does.
     watches: Vec<Vec<[u32; 2]>>,
     heap: Heap,
     step_of_activity: f64,
@@ -107,6 +121,8 @@ pub(crate) struct Search<'a> {
     best: Vec<bool>,
     best_len: usize,
     is_seen: Vec<bool>,
+    /// Whether the clause that is being learned is known not to imply a value.
+    is_stuck: Vec<bool>,
     /// The levels that the clause joins which is being learned.
     joins: Vec<bool>,
     steps: u64,
@@ -136,10 +152,14 @@ impl<'a> Search<'a> {
                 *at += 1;
             }
         }
-        let room = |row: u32| {
-            let [least, most] = rows.bounds(row);
-            [most as i32, rows.literals(row).len() as i32 - least as i32]
-        };
+        let room = |row: u32| rows.bounds(row)[1] as i32;
+        let mut watches = vec![Vec::new(); 2 * variables];
+        for row in 0..count as u32 {
+            if let ([1, 1], &[first, second, ..]) = (rows.bounds(row), rows.literals(row)) {
+                watches[first as usize].push([FIRST_ROW + row, second]);
+                watches[second as usize].push([FIRST_ROW + row, first]);
+            }
+        }
         let mut phases = vec![false; variables];
         for variable in rows.variables_of(start) {
             phases[variable as usize] = true;
@@ -149,11 +169,9 @@ impl<'a> Search<'a> {
             row_starts,
             rows_of,
             rooms: (0..count as u32).map(room).collect(),
-            full: Vec::new(),
+            watched_in: vec![[0, 1]; count],
             values: vec![0; 2 * variables],
-            reasons: vec![Reason::Decided; variables],
-            levels: vec![0; variables],
-            positions: vec![0; variables],
+            given: vec![Given { reason: Reason::Decided, level: 0, position: 0 }; variables],
             trail: Vec::with_capacity(variables),
             level_starts: Vec::new(),
             head: 0,
@@ -161,7 +179,7 @@ impl<'a> Search<'a> {
             words: Vec::new(),
             origins: Vec::new(),
             watched: 0,
-            watches: vec![Vec::new(); 2 * variables],
+            watches,
             heap: Heap::new(variables as u32, rows.chords),
             step_of_activity: 1.0,
             step_of_clauses: 1.0,
@@ -169,6 +187,7 @@ impl<'a> Search<'a> {
             phases,
             best_len: 0,
             is_seen: vec![false; variables],
+            is_stuck: vec![false; variables],
             joins: Vec::new(),
             // Making the rows takes about as long.
             steps: rows.triangle_count() as u64,
@@ -195,24 +214,28 @@ impl<'a> Search<'a> {
     }
 
     fn is_full(&self) -> bool {
-        self.words.len() + self.origins.len() > MOST_WORDS
+        let most = match self.expected {
+            Expected::Mesh => MOST_WORDS,
+            Expected::Refutation => MOST_WORDS_OF_REFUTATION,
+        };
+        self.words.len() + self.origins.len() > most
     }
 
     /// The conflict of a row that leaves no choice from the start.
     fn begin(&mut self) -> Option<Reason> {
         self.is_begun = true;
         for row in 0..self.rows.row_count() as u32 {
-            let [may_hold, may_not] = self.rooms[row as usize];
-            if may_not < 0 {
-                return Some(Reason::Least(row));
+            match (self.rows.bounds(row), self.rows.literals(row)) {
+                ([1, 1], []) => return Some(Reason::Least(row)),
+                ([1, 1], &[only]) => match self.value(only) {
+                    0 => self.set(only, Reason::Least(row)),
+                    // Rows of one literal may contradict each other.
+                    -1 => return Some(Reason::Least(row)),
+                    _ => {}
+                },
+                ([_, 0], _) => self.fill(row),
+                _ => {}
             }
-            if may_hold == 0 {
-                self.complete(row, false);
-            }
-            if may_not == 0 {
-                self.complete(row, true);
-            }
-            // Rows of one literal may contradict each other.
         }
         None
     }
@@ -301,9 +324,8 @@ impl<'a> Search<'a> {
         let variable = code as usize / 2;
         self.values[code as usize] = 1;
         self.values[code as usize ^ 1] = -1;
-        self.reasons[variable] = reason;
-        self.levels[variable] = self.level_starts.len() as u32;
-        self.positions[variable] = self.trail.len() as u32;
+        let (level, position) = (self.level_starts.len() as u32, self.trail.len() as u32);
+        self.given[variable] = Given { reason, level, position };
         self.trail.push(code);
     }
 
@@ -330,10 +352,9 @@ impl<'a> Search<'a> {
         for at in (start as usize..self.trail.len()).rev() {
             let code = self.trail[at];
             let variable = code as usize / 2;
-            if at < self.head {
-                for row in self.row_starts[variable]..self.row_starts[variable + 1] {
-                    let entry = self.rows_of[row as usize];
-                    self.rooms[entry as usize / 2][((entry ^ code) & 1) as usize] += 1;
+            if at < self.head && code < 2 * self.rows.chords && code.is_multiple_of(2) {
+                for at in self.row_starts[variable]..self.row_starts[variable + 1] {
+                    self.rooms[self.rows_of[at as usize] as usize / 2] += 1;
                 }
             }
             self.values[code as usize] = 0;

@@ -80,7 +80,7 @@ impl DegreeRange {
 }
 
 /// The ways together may take the steps of one search and so many more, as a divisor: of the domains known that
-/// they decide, the hardest takes nearly all of them.
+/// they decide, the hardest takes more than half of them.
 const MORE: u64 = 2;
 
 /// The ways to close a gap, which take turns. Each goes on where it has stopped, so none waits long for another.
@@ -95,7 +95,9 @@ enum Way {
 }
 
 impl Way {
-    const TURNS: [Self; 4] = [Self::Refute, Self::Descend, Self::Refute, Self::Mesh];
+    /// Of the gaps that are left after the first turns most are refuted.
+    const TURNS: [Self; 6] =
+        [Self::Refute, Self::Descend, Self::Refute, Self::Mesh, Self::Refute, Self::Refute];
 }
 
 /// Closes a gap as far as the steps suffice.

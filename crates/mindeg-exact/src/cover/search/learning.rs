@@ -1,10 +1,13 @@
 //! Learns a clause from a conflict; a conflict at the root of the search ends the proof.
 
-use super::{Clause, Code, Reason, Search};
+use super::{Clause, Code, Expected, FIRST_ROW, Reason, Search};
 use crate::cover::decision::{Decision, Refutation};
 
-/// How activities of variables and of clauses fall with every conflict.
+/// How activities of variables fall with every conflict: a refutation stays at one place of the domain until that is done.
 const DECAY: f64 = 0.95;
+const REFUTATION_DECAY: f64 = 0.75;
+
+/// How activities of clauses fall.
 const CLAUSE_DECAY: f64 = 0.999;
 
 /// Clauses that join no more levels than this are never forgotten.
@@ -21,7 +24,7 @@ impl Search<'_> {
     /// The literals that hold and together imply `implied`, or break the row or clause if that is none.
     fn causes(&mut self, reason: Reason, implied: Option<Code>, causes: &mut Vec<Code>) {
         causes.clear();
-        let before = implied.map_or(u32::MAX, |code| self.positions[code as usize / 2]);
+        let before = implied.map_or(u32::MAX, |code| self.given[code as usize / 2].position);
         let more = usize::from(implied.is_none());
         let (row, wanted, sign) = match reason {
             Reason::Decided => return,
@@ -34,26 +37,20 @@ impl Search<'_> {
                 );
                 return;
             }
-            Reason::Crossing(chords) => {
-                let other = |&chord: &u32| Some(2 * chord + 1) != implied;
-                causes.extend(chords.iter().filter(|it| other(it)).map(|chord| 2 * chord));
-                return;
-            }
+            Reason::Excluded(by) => return causes.push(by),
+            Reason::Both(codes) => return causes.extend(codes),
             Reason::Most(row) => (row, self.rows.bounds(row)[1] as usize + more, 0),
-            Reason::Least(row) => {
-                let least = self.rows.bounds(row)[0] as usize;
-                (row, (self.rows.literals(row).len() + more).saturating_sub(least), 1)
-            }
+            Reason::Least(row) => (row, self.rows.literals(row).len() + more - 1, 1),
         };
         let literals = self.rows.literals(row);
         self.steps += literals.len() as u64;
         let of_row = literals.iter().map(|code| code ^ sign);
         causes.extend(of_row.filter(|&code| {
-            self.values[code as usize] == 1 && self.positions[code as usize / 2] < before
+            self.values[code as usize] == 1 && self.given[code as usize / 2].position < before
         }));
         // The earliest causes suffice.
         if causes.len() > wanted {
-            causes.sort_unstable_by_key(|&code| self.positions[code as usize / 2]);
+            causes.sort_unstable_by_key(|&code| self.given[code as usize / 2].position);
             causes.truncate(wanted);
         }
     }
@@ -82,7 +79,7 @@ impl Search<'_> {
                 }
                 self.is_seen[variable as usize] = true;
                 marked.push(variable);
-                match self.levels[variable as usize] {
+                match self.given[variable as usize].level {
                     0 => self.origins.push(2 * variable + 1),
                     of if of == level => {
                         open += 1;
@@ -97,7 +94,7 @@ impl Search<'_> {
             let code = loop {
                 at -= 1;
                 let code = self.trail[at];
-                if self.is_seen[code as usize / 2] && self.levels[code as usize / 2] == level {
+                if self.is_seen[code as usize / 2] && self.given[code as usize / 2].level == level {
                     break code;
                 }
             };
@@ -106,17 +103,17 @@ impl Search<'_> {
                 clause[0] = code ^ 1;
                 break;
             }
-            (reason, implied) = (self.reasons[code as usize / 2], Some(code));
+            (reason, implied) = (self.given[code as usize / 2].reason, Some(code));
         }
         self.shorten(&mut clause, &mut marked);
         for variable in marked {
             self.is_seen[variable as usize] = false;
         }
         // Of the others, one of the latest level comes second: it is watched.
-        let latest = (1..clause.len()).max_by_key(|&at| self.levels[clause[at] as usize / 2]);
+        let latest = (1..clause.len()).max_by_key(|&at| self.given[clause[at] as usize / 2].level);
         let back = latest.map_or(0, |at| {
             clause.swap(1, at);
-            self.levels[clause[1] as usize / 2]
+            self.given[clause[1] as usize / 2].level
         });
         self.back_to(back);
         let index = self.clauses.len() as u32;
@@ -127,7 +124,7 @@ impl Search<'_> {
             self.watched += 1;
         }
         let (start, len) = (self.words.len() as u32, clause.len() as u32);
-        let level = |code: &Code| self.levels[*code as usize / 2];
+        let level = |code: &Code| self.given[*code as usize / 2].level;
         let mut levels: Vec<u32> = clause.iter().map(level).collect();
         levels.sort_unstable();
         levels.dedup();
@@ -136,7 +133,10 @@ impl Search<'_> {
         let activity = self.step_of_clauses;
         self.clauses.push(Clause { start, len, origins, activity, levels, is_watched });
         self.set(clause[0], Reason::Clause(index));
-        self.step_of_activity /= DECAY;
+        self.step_of_activity /= match self.expected {
+            Expected::Mesh => DECAY,
+            Expected::Refutation => REFUTATION_DECAY,
+        };
         self.step_of_clauses /= CLAUSE_DECAY;
         levels
     }
@@ -146,25 +146,29 @@ impl Search<'_> {
         self.joins.resize(self.level_starts.len() + 1, false);
         let levels: Vec<u32> = clause[1..].iter().map(|code| self.level(*code)).collect();
         levels.iter().for_each(|&level| self.joins[level as usize] = true);
-        let mut kept = 1;
+        let (mut kept, mut stuck) = (1, Vec::new());
         for at in 1..clause.len() {
-            if !self.is_implied(clause[at], marked) {
+            if !self.is_implied(clause[at], marked, &mut stuck) {
                 clause[kept] = clause[at];
                 kept += 1;
             }
         }
         levels.iter().for_each(|&level| self.joins[level as usize] = false);
+        stuck.iter().for_each(|&variable| self.is_stuck[variable as usize] = false);
         clause.truncate(kept);
     }
 
     /// Whether the marked literals, which hold, imply the negation of one that does not; if so, it marks those between
-    /// and takes note of what they follow from.
-    fn is_implied(&mut self, code: Code, marked: &mut Vec<u32>) -> bool {
+    /// and takes note of what they follow from. If not, it takes note of those between that they do not imply, either.
+    fn is_implied(&mut self, code: Code, marked: &mut Vec<u32>, stuck: &mut Vec<u32>) -> bool {
         let (first_mark, first_origin) = (marked.len(), self.origins.len());
-        let mut open = vec![code ^ 1];
+        // The literals on the way, each with the one that it came from; the first came from itself.
+        let mut way = vec![(code ^ 1, 0)];
+        let mut open = vec![0];
         let mut causes = Vec::new();
-        while let Some(implied) = open.pop() {
-            let reason = self.reasons[implied as usize / 2];
+        while let Some(at) = open.pop() {
+            let implied = way[at].0;
+            let reason = self.given[implied as usize / 2].reason;
             if let Reason::Clause(index) = reason {
                 self.origins.push(2 * index);
             }
@@ -175,16 +179,18 @@ impl Search<'_> {
                 if self.is_seen[variable as usize] {
                     continue;
                 }
-                let level = self.levels[variable as usize];
+                let level = self.given[variable as usize].level;
                 if level == 0 {
                     self.origins.push(2 * variable + 1);
-                } else if self.reasons[variable as usize] == Reason::Decided
+                } else if self.is_stuck[variable as usize]
+                    || self.given[variable as usize].reason == Reason::Decided
                     || !self.joins[level as usize]
                 {
                     is_stuck = true;
                     break;
                 } else {
-                    open.push(cause);
+                    open.push(way.len());
+                    way.push((cause, at));
                 }
                 self.is_seen[variable as usize] = true;
                 marked.push(variable);
@@ -194,6 +200,13 @@ impl Search<'_> {
                     self.is_seen[variable as usize] = false;
                 }
                 self.origins.truncate(first_origin);
+                let mut at = at;
+                while at != 0 {
+                    let (code, from) = way[at];
+                    self.is_stuck[code as usize / 2] = true;
+                    stuck.push(code / 2);
+                    at = from;
+                }
                 return false;
             }
         }
@@ -201,7 +214,7 @@ impl Search<'_> {
     }
 
     fn level(&self, code: Code) -> u32 {
-        self.levels[code as usize / 2]
+        self.given[code as usize / 2].level
     }
 
     /// Takes half of the clauses away that imply no value now: those that join most levels, and of equals the less
@@ -210,7 +223,7 @@ impl Search<'_> {
         let is_free = |(index, clause): &(u32, &Clause)| {
             let first = self.words[clause.start as usize];
             let implies = self.value(first) == 1
-                && self.reasons[first as usize / 2] == Reason::Clause(*index);
+                && self.given[first as usize / 2].reason == Reason::Clause(*index);
             clause.is_watched && clause.levels > KEPT_LEVELS && !implies
         };
         let mut free: Vec<u32> =
@@ -225,7 +238,9 @@ impl Search<'_> {
         }
         self.watched -= free.len();
         for list in &mut self.watches {
-            list.retain(|&[index, _]| self.clauses[index as usize].is_watched);
+            list.retain(|&[index, _]| {
+                index >= FIRST_ROW || self.clauses[index as usize].is_watched
+            });
         }
     }
 
@@ -260,7 +275,7 @@ impl Search<'_> {
                 }
                 Origin::Fact(variable) if !self.is_seen[variable as usize] => {
                     self.is_seen[variable as usize] = true;
-                    let reason = self.reasons[variable as usize];
+                    let reason = self.given[variable as usize].reason;
                     let code = 2 * variable + u32::from(self.value(2 * variable) == -1);
                     open_causes(self, reason, Some(code), &mut open, &mut causes);
                 }
