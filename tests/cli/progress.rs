@@ -101,16 +101,25 @@ fn time_shows_while_methods_are_compared() {
 #[test]
 fn no_bar_shows_where_none_is_wanted() {
     let short = "\"$MINDEG\" mesh --rectangle 4x3 --size 0.01 -o /dev/null --format obj";
-    for (command, terminal) in [
+    let runs = [
         // No terminal.
         (SLOW.replace("QUIET", ""), false),
         (SLOW.replace("QUIET", "--quiet"), true),
         (short.to_owned(), true),
-    ] {
-        let Some(run) = shell(&command, terminal) else { return };
-        let shown = run.text();
-        assert!(!shown.contains("left") && !shown.contains('\u{1b}'), "{command}: {shown:?}");
-    }
+    ];
+    // At once: their readers sleep.
+    std::thread::scope(|scope| {
+        for (command, terminal) in &runs {
+            scope.spawn(move || {
+                let Some(run) = shell(command, *terminal) else { return };
+                let shown = run.text();
+                assert!(
+                    !shown.contains("left") && !shown.contains('\u{1b}'),
+                    "{command}: {shown:?}"
+                );
+            });
+        }
+    });
     // If the mesh itself goes to the terminal, no bar may disturb it.
     let folder = tempfile::tempdir().expect("a folder");
     let command = "mkfifo \"$PIPE\"; (sleep 1.2; cat \"$PIPE\" > /dev/null) & \"$MINDEG\" mesh \

@@ -16,14 +16,13 @@ const HEAT: [f64; 2] = [5.0, 0.3];
 const MOVES_OF_HEAT: u32 = 64;
 
 /// Another triangulation of the disc whose degrees are less out of their ranges, after random moves; `None` if
-/// none was found, or if its points cannot be put right. `left` is lowered by the moves that were made.
+/// none was found, or if its points cannot be put right. With it comes the number of moves that were made.
 pub(crate) fn redrawn(
     disc: &ArrayMesh,
     weights: &Weights,
     effort: Effort,
     random: &mut Random,
-    left: &mut u64,
-) -> Option<ArrayMesh> {
+) -> (Option<ArrayMesh>, u64) {
     let mut sketch = Sketch::new(disc, weights, effort);
     let before = sketch.excess;
     let mut heat = HEAT[0];
@@ -31,8 +30,7 @@ pub(crate) fn redrawn(
     for step in 0..moves {
         // Of searches that come to something, nineteen in twenty are better by then.
         if step == moves / 2 && sketch.excess >= before {
-            *left = left.saturating_sub(step.into());
-            return None;
+            return (None, step.into());
         }
         if step.is_multiple_of(MOVES_OF_HEAT) {
             let share = f64::from(step) / f64::from(moves);
@@ -41,8 +39,7 @@ pub(crate) fn redrawn(
         }
         sketch.try_move(heat, random);
     }
-    *left = left.saturating_sub(moves.into());
-    if sketch.excess < before { sketch.into_mesh() } else { None }
+    (if sketch.excess < before { sketch.into_mesh() } else { None }, moves.into())
 }
 
 impl Sketch<'_> {
@@ -287,8 +284,8 @@ mod tests {
         for vertex in mesh.vertices.iter_mut().filter(|v| v.kind == Kind::Boundary) {
             vertex.goal = 0;
         }
-        let (effort, mut left) = (Effort { moves: 10, ..EFFORT }, 1000);
-        assert!(redrawn(&mesh, &weights, effort, &mut Random::new(1), &mut left).is_none());
-        assert_eq!(left, 1000 - 10 * 72 / 2);
+        let effort = Effort { moves: 10, ..EFFORT };
+        let found = redrawn(&mesh, &weights, effort, &mut Random::new(1));
+        assert_eq!((found.0.is_none(), found.1), (true, 10 * 72 / 2));
     }
 }

@@ -52,6 +52,11 @@ impl Disc {
         growing.into_disc(whole, weights)
     }
 
+    /// The vertices of the whole mesh in the disc.
+    pub(crate) fn vertices(&self) -> &[u32] {
+        &self.names
+    }
+
     /// Puts another mesh of the disc, whose first vertices are the disc's, in its place.
     pub(crate) fn put_back(mut self, whole: &mut ArrayMesh, better: &ArrayMesh) {
         for (v, vertex) in better.vertices.iter().enumerate() {

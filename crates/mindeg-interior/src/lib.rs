@@ -60,6 +60,7 @@
 //! are fixed, and one thread does all the work.
 
 mod across;
+mod ahead;
 mod anneal;
 mod array_mesh;
 mod asked;

@@ -1,6 +1,7 @@
 //! The search by place: where a degree is out of its range or an angle below its local limit, the disc round
 //! that place is worked on alone, until it is as wanted or all has failed.
 
+use crate::ahead::Ahead;
 use crate::anneal::{anneal, settle_all};
 use crate::array_mesh::{ArrayMesh, Kind};
 use crate::chains::chains;
@@ -86,41 +87,55 @@ pub(crate) fn mend_places(
         let is_last = pass + 1 == PASSES;
         let kept = [0, if is_last { 0 } else { left[1] / 2 }];
         let of = places.len() as f64;
-        for (index, vertex) in places.into_iter().enumerate() {
+        let mut ahead = Ahead::new();
+        for (index, vertex) in places.iter().enumerate() {
             // Each pass takes about as long as all before it.
             let passes = f64::from((1 << pass) - 1) + f64::from(1 << pass) * index as f64 / of;
             stage.reach(passes / f64::from((1 << PASSES) - 1))?;
-            if mesh.vertices[vertex as usize].triangles == 0 {
-                continue;
-            }
-            let is_broken = work.weights.excess(mesh, vertex) > 0;
-            let kind = usize::from(is_broken);
-            if left[kind] <= kept[kind] {
-                continue;
-            }
-            let rings = RINGS[pass as usize + usize::from(is_broken)];
-            let Some(disc) = Disc::cut(mesh, &work.weights, vertex, rings, ENOUGH_TRIANGLES) else {
-                continue;
+            // The rings of the disc of a vertex, where trials are left for it.
+            let rings = |v: u32| {
+                let is_alive = mesh.vertices[v as usize].triangles > 0;
+                let kind = usize::from(is_alive && work.weights.excess(mesh, v) > 0);
+                (is_alive && left[kind] > kept[kind]).then(|| RINGS[pass as usize + kind])
             };
-            let before = work.worth(&disc.mesh);
-            let kind = usize::from(before.excess > 0);
-            // Each broken place leaves as much to those that wait for their turn.
-            let sharing = if is_broken { waiting.max(1) } else { 1 };
-            let given = left[kind].saturating_sub(kept[kind]) / sharing;
-            waiting = waiting.saturating_sub(usize::from(is_broken));
-            if before.is_good() || given == 0 {
+            if rings(*vertex).is_none() {
                 continue;
             }
-            let mut unused = given;
-            let most = if is_broken { MOST_FOR_BROKEN } else { 1 };
-            let effort = (1 << pass) * affordable.clamp(1, most);
-            let better = work.mended(&disc, before, effort, is_hasty, &mut unused, stage)?;
-            left[kind] -= given - unused;
-            if let Some(better) = better {
+            let cut = |v| Disc::cut(mesh, &work.weights, v, rings(v)?, ENOUGH_TRIANGLES);
+            let given = |disc: &Disc, kind: usize| {
+                // Each broken place leaves as much to those that wait for their turn.
+                let sharing = if work.is_broken(disc) { waiting.max(1) } else { 1 };
+                left[kind].saturating_sub(kept[kind]) / sharing
+            };
+            let mend = |disc: &Disc| {
+                let before = work.worth(&disc.mesh);
+                let kind = usize::from(before.excess > 0);
+                let given = given(disc, kind);
+                let mut unused = given;
+                let most = if work.is_broken(disc) { MOST_FOR_BROKEN } else { 1 };
+                let effort = (1 << pass) * affordable.clamp(1, most);
+                let better = if before.is_good() || given == 0 {
+                    Ok(None)
+                } else {
+                    work.mended(disc, before, effort, is_hasty, &mut unused, stage)
+                };
+                (kind, given, given - unused, better)
+            };
+            let Some((disc, mut made)) = ahead.turn(&places[index..], cut, mend) else { continue };
+            let now = given(&disc, made.0);
+            // With other trials ahead of its turn it may have ended elsewhere.
+            if made.1 != now && made.2 >= made.1.min(now) {
+                made = mend(&disc);
+            }
+            let (kind, _, used, better) = made;
+            waiting = waiting.saturating_sub(usize::from(work.is_broken(&disc)));
+            left[kind] -= used;
+            if let Some(better) = better? {
+                ahead.forget(&disc);
                 disc.put_back(mesh, &better);
                 if kind == 1 {
                     // Mended degrees cost angles, which may take half as long.
-                    let again = ((given - unused) / 2).min(left[1]);
+                    let again = (used / 2).min(left[1]);
                     left = [left[0] + again, left[1] - again];
                 }
             }
@@ -170,6 +185,11 @@ impl Best {
 impl Work<'_> {
     fn worth(&self, mesh: &ArrayMesh) -> Worth {
         Worth::of(mesh, &self.weights, self.enough)
+    }
+
+    /// True if the degree in the middle of a disc is out of its range.
+    fn is_broken(&self, disc: &Disc) -> bool {
+        self.weights.excess(&disc.mesh, 0) > 0
     }
 
     /// The vertices where something is left to be desired, the worst first.

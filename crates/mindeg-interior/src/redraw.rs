@@ -3,6 +3,7 @@
 //! Trials keep all triangles proper and change few of them at a time. Where lines meet, edges of very different lengths leave them no room:
 //! most ways to other degrees lead over triangles that are turned over.
 
+use crate::ahead::Ahead;
 use crate::anneal::settle_all;
 use crate::array_mesh::{ArrayMesh, NONE};
 use crate::bistellar::redrawn;
@@ -140,21 +141,11 @@ pub(crate) fn redraw(
         if wrong.is_empty() || is_hard && wrong.len() > MOST_HARD {
             break;
         }
-        for vertex in wrong {
-            stage.still()?;
-            if left == 0 {
-                return Ok(());
-            }
-            if !is_broken(mesh, weights, vertex) {
-                continue;
-            }
-            let Some(disc) = Disc::cut(mesh, weights, vertex, *rings, most) else { continue };
+        let draw = |disc: &Disc| {
             let before = Worth::of(&disc.mesh, weights, enough);
             let mut random = Random::new(seed << 32 | index as u64);
-            let Some(mut found) = redrawn(&disc.mesh, weights, effort, &mut random, &mut left)
-            else {
-                continue;
-            };
+            let (found, moves) = redrawn(&disc.mesh, weights, effort, &mut random);
+            let Some(mut found) = found else { return Ok((None, moves)) };
             let mut stage = stage.within();
             if turn == Turn::First && index < HASTY {
                 Sweeper::new().run(&mut found, Power::Two, 5, &mut stage)?;
@@ -165,7 +156,23 @@ pub(crate) fn redraw(
             settle_all(&mut found, weights);
             let after = Worth::of(&found, weights, enough);
             let keeps = after.excess < before.excess && after.least() >= kept.min(before.least());
-            if keeps && found.check().is_ok() {
+            Ok(((keeps && found.check().is_ok()).then_some(found), moves))
+        };
+        let mut ahead = Ahead::new();
+        for at in 0..wrong.len() {
+            stage.still()?;
+            if left == 0 {
+                return Ok(());
+            }
+            let cut = |vertex: u32| {
+                let is_left = is_broken(mesh, weights, vertex);
+                is_left.then(|| Disc::cut(mesh, weights, vertex, *rings, most)).flatten()
+            };
+            let Some((disc, drawn)) = ahead.turn(&wrong[at..], cut, &draw) else { continue };
+            let (found, moves) = drawn?;
+            left = left.saturating_sub(moves);
+            if let Some(found) = found {
+                ahead.forget(&disc);
                 disc.put_back(mesh, &found);
             }
         }

@@ -22,6 +22,14 @@ pub fn block(index: usize, count: u32) -> Range<u32> {
     start..start.saturating_add(BLOCK).min(count)
 }
 
+/// How many threads share work.
+pub fn threads() -> usize {
+    #[cfg(feature = "parallel")]
+    return rayon::current_num_threads();
+    #[cfg(not(feature = "parallel"))]
+    return 1;
+}
+
 /// The results of `work` on each block of the items `0..count`, in order. If a block fails, the
 /// error of any failed block; then some blocks are not run.
 pub fn try_blocks<R: Send, E: Send>(

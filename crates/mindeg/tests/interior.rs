@@ -259,3 +259,24 @@ proptest! {
         prop_assert!(one.mesh.vertex_count() >= count);
     }
 }
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(8))]
+
+    /// The same where many places near each other are mended at once.
+    #[test]
+    fn places_are_mended_alike_on_any_number_of_threads(radii in prop::collection::vec(0.2..1.0_f64, 40..90)) {
+        let turn = std::f64::consts::TAU / radii.len() as f64;
+        let corners: Vec<[f64; 2]> = radii
+            .iter()
+            .enumerate()
+            .map(|(i, radius)| [radius * libm::cos(i as f64 * turn), radius * libm::sin(i as f64 * turn)])
+            .collect();
+        let domain = Domain::polygon(corners, vec![Side::count(1); radii.len()]).unwrap();
+        let run = |threads: usize| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| mesh(&domain, &Interior::default(), Progress::NONE).unwrap())
+        };
+        prop_assert_eq!(&run(1).mesh, &run(4).mesh);
+    }
+}
