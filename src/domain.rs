@@ -26,8 +26,11 @@ pub(crate) enum Subject {
     Mesh(Box<TriMesh>),
 }
 
+/// No length in degrees is greater.
+const ROUND_THE_WORLD: f64 = 360.0;
+
 impl Subject {
-    /// Refuses lengths in metres where coordinates are degrees.
+    /// Refuses lengths in metres where coordinates are degrees, and lengths that no degrees are.
     pub(crate) fn refuse_degrees<const N: usize>(
         &self,
         lengths: [(&str, Option<Length>); N],
@@ -37,15 +40,23 @@ impl Subject {
             return Ok(());
         }
         let file = &polygons.file;
-        let is_metric =
-            |(_, length): &(&str, Option<Length>)| length.is_some_and(|it| it.is_metric);
-        match lengths.into_iter().find(is_metric) {
-            None => Ok(()),
-            Some((option, _)) => Err(Failure::Input(format!(
-                "{option} is in metres, and the coordinates of {file} look like degrees: add --project auto; or --project \
-                 none, if they are metres"
-            ))),
+        for (option, length) in lengths {
+            let Some(length) = length else { continue };
+            if !length.is_metric && length.value > ROUND_THE_WORLD {
+                return Err(Failure::Input(format!(
+                    "{option} is {} degrees, as the coordinates of {file} are: add --project auto, and lengths are metres; or \
+                     --project none, if the coordinates are metres",
+                    length.value
+                )));
+            }
+            if length.is_metric {
+                return Err(Failure::Input(format!(
+                    "{option} is in metres, and the coordinates of {file} look like degrees: add --project auto; or \
+                     --project none, if they are metres"
+                )));
+            }
         }
+        Ok(())
     }
 
     /// The only domain, or the reason why there are several.

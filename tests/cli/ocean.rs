@@ -249,6 +249,10 @@ fn lengths_with_units_need_metres() {
     }
     mindeg(["mesh", &coast(), "--interior", "--size", "2km", "-o", "x.14"])
         .refuses(&["--size is in metres"]);
+    for command in ["condition", "mesh"] {
+        mindeg([command, &coast(), "--size", "2000", "-o", &out])
+            .refuses(&["--size is 2000 degrees", "--project auto"]);
+    }
     let bad = mindeg(["condition", &coast(), "--project", "EPSG:2154", "-o", &out]);
     bad.refuses(&["EPSG:2154 is not among the projections here", "ogr2ogr -t_srs EPSG:2154"]);
     let planar =

@@ -1,8 +1,9 @@
-"""What readers of ocean models see in SELAFIN, UGRID NetCDF and GeoJSON.
+"""What readers of ocean models see in fort.14, SELAFIN, UGRID NetCDF and GeoJSON.
 
     ocean_formats.py MINDEG_BINARY FOLDER [DOMAIN.json ...]
 """
 
+import importlib.util
 import json
 import subprocess
 import sys
@@ -112,6 +113,15 @@ def geojson(path, points, triangles):
 READERS = {".slf": selafin, ".nc": ugrid, ".geojson": geojson}
 
 
+def ocsmesh(folder):
+    """OCSMesh's reader of fort.14, without the rest of it, which is a gigabyte."""
+    path = folder / "ocsmesh-2.2.0" / "ocsmesh" / "mesh" / "parsers" / "grd.py"
+    spec = importlib.util.spec_from_file_location("grd", path)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
 def depths(mindeg, folder):
     """A bay with depths and an open side, by way of each format that has them."""
     bay = folder / "bay.gr3"
@@ -119,6 +129,15 @@ def depths(mindeg, folder):
     expected = [3.5, 4, 0, 1.25, 7]
     for suffix in (".slf", ".nc"):
         subprocess.run([mindeg, "convert", bay, "-o", bay.with_suffix(suffix), "--quiet"], check=True)
+    for path in (bay.with_suffix(".14"), folder / "written.gr3"):
+        subprocess.run([mindeg, "convert", bay, "-o", path, "--quiet"], check=True)
+        seen = ocsmesh(folder.parent).read(path, crs=False)
+        rows = [line.split() for line in BAY.splitlines()[2:11]]
+        nodes = {row[0]: [(float(row[1]), float(row[2])), float(row[3])] for row in rows[:5]}
+        yield f"{path.name} in OCSMesh: points and depths", seen["nodes"] == nodes
+        yield f"{path.name} in OCSMesh: triangles", seen["elements"] == {row[0]: row[2:] for row in rows[5:]}
+        runs = {kind: [run["indexes"] for run in runs.values()] for kind, runs in seen["boundaries"].items()}
+        yield f"{path.name} in OCSMesh: the open side and the coast", runs == {None: [[1, 2]], 0: [[2, 3, 4, 1]]}
     selafin = xarray.open_dataset(bay.with_suffix(".slf"), engine="selafin")
     yield "bay.slf: the bottom counts upwards", (-selafin.B.values[0]).tolist() == expected
     codes = [row.split()[:3] for row in bay.with_suffix(".cli").read_text().splitlines()]

@@ -109,6 +109,14 @@ def make_venv(python, environment, requirements):
     return interpreter
 
 
+def add_alone(interpreter, requirement, folder):
+    """A package without those that it asks for, where one of its modules is enough."""
+    if not folder.is_dir():
+        print(f"installing {requirement}", flush=True)
+        command = [interpreter, "-m", "pip", "install", "--quiet", "--no-deps", "--target", folder, requirement]
+        run(command)
+
+
 def make_node_folder(environment, package):
     if not shutil.which("node") or not shutil.which("npm"):
         raise SetupError("the glTF validator needs node and npm on the PATH")
