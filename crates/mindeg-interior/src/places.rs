@@ -121,13 +121,16 @@ pub(crate) fn mend_places(
                 };
                 (kind, given, given - unused, better)
             };
-            let Some((disc, mut made)) = ahead.turn(&places[index..], cut, mend) else { continue };
-            let now = given(&disc, made.0);
+            let Some((disc, mut mended)) = ahead.turn(&places[index..], cut, mend) else {
+                continue;
+            };
+            let (kind, then, used, _) = mended;
+            let now = given(&disc, kind);
             // With other trials ahead of its turn it may have ended elsewhere.
-            if made.1 != now && made.2 >= made.1.min(now) {
-                made = mend(&disc);
+            if then != now && used >= then.min(now) {
+                mended = mend(&disc);
             }
-            let (kind, _, used, better) = made;
+            let (kind, _, used, better) = mended;
             waiting = waiting.saturating_sub(usize::from(work.is_broken(&disc)));
             left[kind] -= used;
             if let Some(better) = better? {

@@ -55,7 +55,7 @@ pub(super) fn rings(
     }
 }
 
-/// What is wrong with lines that bound several regions.
+/// The fault of lines that bound several regions.
 pub(super) const BRANCHES: &str = "three or more lines meet there; rings must not touch or branch; export the boundary of \
                                    one region, without lines inside it";
 

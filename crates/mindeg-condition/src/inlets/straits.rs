@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// A piece has the triangles up to so many edges across from its middle.
 const REACH: usize = 6;
-/// Those at least so many edges from where it ends need no piece of their own.
+/// Triangles at least so many edges from where it ends need no piece of their own.
 const INSIDE: usize = 4;
 /// The most mouths of a piece.
 const MOST_MOUTHS: usize = 4;

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 use mindeg::{Bounds, Domain};
-use mindeg_mesh::BoxTree;
+use mindeg_mesh::{BoxTree, distance};
 use std::fmt::Write as _;
 
 /// The points of a ring, with the first one again at its end, or of a line.
@@ -66,9 +66,8 @@ impl<'a> Nearest<'a> {
 
 /// The distance of a point from an edge.
 pub(super) fn distance_to(at: DVec2, [a, b]: [DVec2; 2]) -> f64 {
-    let along = b - a;
-    let share = (at - a).dot(along) / along.length_squared();
-    at.distance(a + along * share.clamp(0.0, 1.0))
+    let [a, b] = [a, b].map(|end| end.extend(0.0));
+    distance::distance_to(at.extend(0.0), &[a, b, b])
 }
 
 /// The mean length of edges.

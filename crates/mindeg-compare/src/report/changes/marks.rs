@@ -33,7 +33,7 @@ pub(super) const KINDS: [(&str, &str, &str); 11] = [
     ("left", "#d1242f", "stays below the angle"),
 ];
 
-/// What a mark stands for.
+/// A mark, with the change that it stands for.
 pub(super) struct Mark {
     pub(super) kind: usize,
     /// Its place in the list, from 1; none for places that stay.
@@ -42,7 +42,7 @@ pub(super) struct Mark {
     /// How far it is from there to the new boundary, in its own lengths and in pixels.
     pub(super) way: [f64; 2],
     pub(super) radius: f64,
-    /// What is written below it where it is magnified.
+    /// The words below it where it is magnified.
     pub(super) note: String,
     pub(super) tip: String,
 }

@@ -9,7 +9,7 @@ use mindeg::Bounds;
 const MOST_PANES: usize = 8;
 /// The least radius of their marks.
 const RADIUS: f64 = 3.0;
-/// What is magnified: so many times the way that the boundary moved there, or so many edges.
+/// The width of the magnified part: so many times the way that the boundary moved there, or so many edges.
 const WAYS: f64 = 6.0;
 const EDGES: f64 = 4.0;
 /// Less than that is not worth a magnified picture.
@@ -36,7 +36,7 @@ pub(super) fn parts(marks: &[Mark], edge: f64, map: Bounds, side: f64) -> Vec<(&
     for same in marks.chunk_by(|a, b| a.kind == b.kind) {
         let mut same: Vec<&Mark> = same.iter().collect();
         same.sort_by(|a, b| b.way[0].total_cmp(&a.way[0]).then(a.number.cmp(&b.number)));
-        // What moved nothing comes last.
+        // Changes that moved nothing come last.
         let rank = |index: usize, mark: &Mark| match mark.note.is_empty() {
             true => MOST_PANES + index,
             false => index,

@@ -41,7 +41,7 @@ impl Search<'_> {
     fn count(&mut self, code: Code) -> Option<Reason> {
         let rows = self.row_starts[code as usize / 2]..self.row_starts[code as usize / 2 + 1];
         let mut broken = None;
-        // Those of its sides are counted, too: all are taken back alike.
+        // The literals of its sides are counted, too: all are taken back alike.
         for at in rows.clone() {
             let entry = self.rows_of[at as usize];
             self.rooms[entry as usize / 2] -= 1;
