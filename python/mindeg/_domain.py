@@ -111,12 +111,33 @@ class Domain(_mindeg._Domain):
         text, changes = self._condition(limit, (within, size, growth, least_island, narrowest), keep)
         return _mindeg._Domain.__new__(Domain, text), changes
 
+    def advice(self) -> dict[str, Any]:
+        """The mesh to take, by what it is for: the same advice as in ``mindeg degree`` and ``mindeg explore``.
+
+        The keys ``"solver"``, ``"patch"`` and ``"fewest"`` have ``max_degree``, ``min_angle`` and ``share_of_delaunay`` of a mesh,
+        ``words``, which say why to take it, and ``options``: ``domain.mesh(**domain.advice()["patch"]["options"])`` makes it.
+        ``first`` is the key to take unless you know better; a mesh that cannot be made is None. Takes the time of three meshes.
+        """
+        found = self._advice()
+        words = dict(found.pop("words"))
+        return {"first": found.pop("first")} | {
+            purpose: figures and {**figures, "words": words[purpose], "options": dict(_OPTIONS_FOR[purpose])} for purpose, figures in found.items()
+        }
+
     def compare(self) -> dict[str, Any]:
         """Delaunay, ear clipping and a fan beside mindeg: a dict, as ``mindeg compare`` writes it."""
         return json.loads(self._compare())
 
     def _repr_svg_(self):
         return self.mesh()._repr_svg_()
+
+
+#: What `Domain.mesh` takes to make the mesh for a purpose, whatever the domain itself asks for.
+_OPTIONS_FOR: dict[str, dict[str, Any]] = {
+    "solver": {"interior": True},
+    "patch": {"interior": False, "keep_angle": 0.95},
+    "fewest": {"interior": False},
+}
 
 
 @shows_its_options()

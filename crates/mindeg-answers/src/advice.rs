@@ -1,5 +1,5 @@
-//! The mesh to take, by what it is for: the one advice that the terminal, the reports and the page of
-//! `explore` give.
+//! The mesh to take, by what it is for: the one advice that the terminal, the reports, the page of
+//! `explore` and Python give.
 //!
 //! Limits: the advice compares minimum angles and degrees alone.
 
@@ -232,6 +232,25 @@ impl Advice {
             format!("hint: f{}\n{}", self.rest(purpose), command.advised(purpose))
         };
         self.purposes(None).into_iter().map(hint).collect::<Vec<_>>().join("\n")
+    }
+}
+
+/// An advice with its words.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct AdviceAnswer {
+    /// The same keys as in `mindeg tradeoff --json`.
+    #[serde(flatten)]
+    pub advice: Advice,
+    /// The sentence for each purpose, in the order of [`Purpose::ALL`].
+    pub words: Vec<(Purpose, String)>,
+}
+
+impl AdviceAnswer {
+    /// The advice in all its sentences.
+    #[must_use]
+    pub fn of(advice: Advice) -> Self {
+        let words = Purpose::ALL.map(|purpose| (purpose, advice.sentence(purpose))).into();
+        Self { advice, words }
     }
 }
 

@@ -4,12 +4,12 @@ use std::time::{Duration, Instant};
 
 use mindeg::exact::trade_off;
 use mindeg::{BoundaryMesh, Domain, Goal, is_by_formula};
-use mindeg_answers::advice::{Advice, AdvisedMesh, Purpose};
+use mindeg_answers::advice::{Advice, AdviceAnswer, AdvisedMesh, Purpose};
 use mindeg_answers::degree::DegreeReport;
 use mindeg_answers::trade_off::TradeOffAnswer;
 use mindeg_mesh::{Cancelled, Progress};
 
-use crate::api::{AdviceShown, AnswerLine, CurveShown, DegreeShown, Part, Request, View};
+use crate::api::{AnswerLine, CurveShown, DegreeShown, Part, Request, View};
 use crate::changes;
 use crate::command::{KnownFiles, command};
 use crate::mesh::Made;
@@ -194,8 +194,7 @@ impl Answering<'_> {
         }
         let [solver, patch, fewest] = self.made;
         let advice = Advice::among(solver, patch, fewest);
-        let words = Purpose::ALL.map(|purpose| (purpose, advice.sentence(purpose))).into();
-        (self.out)(&AnswerLine::Advice(AdviceShown { advice, words }));
+        (self.out)(&AnswerLine::Advice(AdviceAnswer::of(advice)));
         Ok(())
     }
 

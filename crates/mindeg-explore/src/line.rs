@@ -1,6 +1,6 @@
 //! The lines of an answer, in JSON.
 
-use mindeg_answers::advice::{Advice, Purpose};
+use mindeg_answers::advice::AdviceAnswer;
 use mindeg_answers::degree::DegreeReport;
 use mindeg_answers::limit::LimitAnswer;
 use mindeg_answers::trade_off::TradeOffAnswer;
@@ -24,7 +24,7 @@ pub enum AnswerLine {
     /// The trade-off: the minimum angle of every degree.
     Curve(CurveShown),
     /// The meshes to take by what they are for.
-    Advice(AdviceShown),
+    Advice(AdviceAnswer),
     /// Changes that bring a smaller degree or a larger angle.
     Suggestions {
         /// The least change first.
@@ -200,16 +200,6 @@ pub struct LimitShown {
     pub vertices: Vec<u32>,
     /// Their sides.
     pub sides: Vec<usize>,
-}
-
-/// The meshes to take, with their words.
-#[derive(Clone, Debug, Serialize)]
-pub struct AdviceShown {
-    /// The same keys as in `mindeg tradeoff --json`.
-    #[serde(flatten)]
-    pub advice: Advice,
-    /// The sentence for each purpose, in the order of [`Purpose::ALL`].
-    pub words: Vec<(Purpose, String)>,
 }
 
 /// The largest minimum angle for every maximum degree, with its words.

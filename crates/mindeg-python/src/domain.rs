@@ -10,6 +10,7 @@ use mindeg::changes::count_changes;
 use mindeg::glam::DVec3;
 use mindeg::interior::{BoundaryDemands, condition};
 use mindeg::{Domain as Inner, DomainJsonError, Positions, exact};
+use mindeg_answers::advice::{Advice, AdviceAnswer};
 use mindeg_answers::condition::ConditionAnswer;
 use mindeg_mesh::filled;
 use numpy::PyArray2;
@@ -120,6 +121,12 @@ impl Domain {
             })
         };
         trade_off.meshes().iter().map(point).collect()
+    }
+
+    /// The mesh to take for each purpose; the package adds how to make it.
+    fn _advice<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let advice = done(py, |progress| Advice::of(&self.inner, progress))?;
+        dict(py, &AdviceAnswer::of(advice))
     }
 
     /// The smallest changes of interval counts that are found, one for each lower least maximum degree.
