@@ -3,7 +3,7 @@
 //!
 //! Limits: those of [`Cover`], and a share of the problem's steps for each degree.
 
-use mindeg_exact::{Cover, DegreeRange, degree_range};
+use mindeg_exact::{Cover, Decision, DegreeRange, degree_range};
 use mindeg_mesh::Progress;
 
 use crate::error::MeshError;
@@ -64,11 +64,21 @@ impl<'p, 'd> Searched<'p, 'd> {
                 MeshError::not_reached(limit, reached, at_least)
             });
         }
+        self.within_from(limit, self.known(limit))
+    }
+
+    /// A mesh that is known to keep a degree limit, which is not below the degree reached.
+    fn known(&self, limit: u32) -> &[[u32; 3]] {
         let known = self.known.iter().find(|(degree, _)| *degree <= limit);
+        known.map_or(&self.range.triangles, |(_, triangles)| triangles)
+    }
+
+    /// The mesh with the largest minimum angle that is found, from one that keeps the limit.
+    fn within_from(&self, limit: u32, known: &[[u32; 3]]) -> Result<ExactMesh, MeshError> {
         let found = self.cover.largest_angle(
             &self.posed.problem,
             limit,
-            known.map_or(&self.range.triangles, |(_, triangles)| triangles),
+            known,
             &mut (self.posed.problem.max_steps() / SHARE_OF_STEPS),
             self.progress,
         )?;
@@ -83,16 +93,33 @@ impl<'p, 'd> Searched<'p, 'd> {
         Ok(self.meshed(&exact, exact.is_proven))
     }
 
-    /// The mesh of the smallest degree that is found to keep a share of Delaunay's minimum angle.
+    /// The mesh of the smallest degree that is found to keep a share of Delaunay's minimum angle. At smaller degrees the
+    /// largest angle is not asked for, only whether it is large enough.
     pub(crate) fn keep_angle(&self, share: f64) -> Result<Meshed, MeshError> {
-        let trade_off = self.trade_off(|angle, most| keeps(angle, share, most))?;
-        let kept = trade_off.meshes().last().ok_or(MeshError::LimitsNotReached)?;
-        Ok(self.meshed(kept, trade_off.is_exact()))
+        let (delaunay, problem) = (self.delaunay(), &self.posed.problem);
+        let (highest, most) = self.highest()?;
+        let is_enough = |angle: f64| angle >= most || keeps(angle, share, delaunay);
+        let mut is_exact = self.range.is_proven();
+        for limit in self.range.max_degree..=highest {
+            let (known, steps) = (self.known(limit), problem.max_steps() / SHARE_OF_STEPS);
+            let found =
+                self.cover.reaches_angle(problem, limit, is_enough, known, steps, self.progress)?;
+            let Decision::Mesh(faces) = found else {
+                is_exact &= matches!(found, Decision::Refuted(_));
+                continue;
+            };
+            let mut exact = self.within(limit)?;
+            if !is_enough(exact.min_angle) {
+                exact = self.within_from(limit, &faces.concat())?;
+            }
+            return Ok(self.meshed(&exact, is_exact && exact.is_proven));
+        }
+        // What is left undecided everywhere.
+        Ok(self.meshed(&self.within(highest)?, false))
     }
 
     fn meshed(&self, exact: &ExactMesh, is_proven: bool) -> Meshed {
-        let delaunay = self.posed.delaunay_min_angle.unwrap_or(0.0);
-        let share = share_of(exact.min_angle, delaunay).min(1.0);
+        let share = share_of(exact.min_angle, self.delaunay()).min(1.0);
         Meshed {
             mesh: exact.mesh.clone(),
             least_max_degree: self.range.lower_bound,
@@ -102,23 +129,33 @@ impl<'p, 'd> Searched<'p, 'd> {
         }
     }
 
+    /// Delaunay's minimum angle.
+    fn delaunay(&self) -> f64 {
+        self.posed.delaunay_min_angle.unwrap_or(0.0)
+    }
+
+    /// The largest degree that is of use, and the angle that a mesh has with it.
+    fn highest(&self) -> Result<(u32, f64), MeshError> {
+        let least = self.range.max_degree;
+        if self.posed.domain().is_constrained() {
+            // With degree limits of single vertices, no mesh may have Delaunay's angle.
+            let any = self.within(u32::MAX)?;
+            return Ok((any.mesh.max_total_degree().max(least), any.min_angle));
+        }
+        let highest = self.known.iter().map(|(degree, _)| *degree).max().unwrap_or(least);
+        Ok((highest.max(least), self.delaunay()))
+    }
+
     /// The best mesh for every degree, up to the first that is enough or has the largest angle of all. Degrees
     /// without a better mesh than the one before are left out.
     pub(crate) fn trade_off(
         &self,
         mut is_enough: impl FnMut(f64, f64) -> bool,
     ) -> Result<TradeOff, MeshError> {
-        let delaunay = self.posed.delaunay_min_angle.unwrap_or(0.0);
-        let least = self.range.max_degree;
-        let mut highest = self.known.iter().map(|(degree, _)| *degree).max().unwrap_or(least);
-        let mut most = delaunay;
-        if self.posed.domain().is_constrained() {
-            // With degree limits of single vertices, no mesh may have Delaunay's angle.
-            let any = self.within(u32::MAX)?;
-            (highest, most) = (any.mesh.max_total_degree(), any.min_angle);
-        }
+        let delaunay = self.delaunay();
+        let (highest, most) = self.highest()?;
         let mut meshes = Vec::<ExactMesh>::new();
-        for limit in least..=highest.max(least) {
+        for limit in self.range.max_degree..=highest {
             let exact = self.within(limit)?;
             let is_last = exact.min_angle >= most || is_enough(exact.min_angle, delaunay);
             if meshes.last().is_none_or(|last| last.min_angle < exact.min_angle) {

@@ -2,8 +2,10 @@
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod stars;
+
 use glam::DVec2;
-use mindeg::{Domain, FoundBy, Goal, Meshed, Progress, Side, Spacing, mesh};
+use mindeg::{Domain, FoundBy, Goal, Meshed, Progress, Side, Spacing, exact, mesh};
 use mindeg_mesh::quality::TriangleQuality;
 use proptest::prelude::*;
 use std::f64::consts::TAU;
@@ -202,4 +204,25 @@ fn a_degree_has_one_mesh() {
         let at = told.iter().position(|&degree| degree == kept.max_total_degree()).unwrap();
         assert_eq!(triangles(&kept), triangles(&trade_off.meshes()[at].mesh), "seed {seed}");
     }
+}
+
+/// Whether a smaller degree keeps the share is one question; the answer is that of the whole trade-off.
+#[test]
+fn with_holes_the_least_degree_that_keeps_a_share_is_that_of_the_trade_off() {
+    let mut skipped = 0;
+    for seed in 1..=10 {
+        let boundary = stars::star(40, 2, seed);
+        let rings = boundary.rings().map(|ring| ring.map(|vertex| boundary.point(vertex)));
+        let domain = Domain::from_rings(rings).unwrap();
+        let trade_off = exact::trade_off(&domain, Progress::NONE).unwrap();
+        for share in [0.5, 0.95, 1.0] {
+            let keeps = |point: &&exact::ExactMesh| trade_off.share(point) >= share * (1.0 - 1e-9);
+            let (index, first) = (0..).zip(trade_off.meshes()).find(|(_, it)| keeps(it)).unwrap();
+            let kept = meshed(&domain, Goal::KeepAngle(share));
+            assert!(trade_off.is_exact() && kept.found_by == FoundBy::Search, "seed {seed}");
+            assert!(kept.mesh.triangles().eq(first.mesh.triangles()), "seed {seed}, {share}");
+            skipped += index;
+        }
+    }
+    assert!(skipped >= 10, "{skipped} smaller degrees are refused");
 }

@@ -1,12 +1,38 @@
 //! The largest minimum angle under degree limits: a search for every threshold that bisection tries.
 
 use super::Cover;
-use super::decision::{Decision, SearchedAngle};
+use super::decision::{Decision, Refutation, SearchedAngle};
 use crate::measure::{self, least_tangent};
 use crate::problem::Problem;
 use mindeg_mesh::{Cancelled, Progress};
 
 impl Cover {
+    /// Whether some triangulation whose minimum angle in degrees `is_enough`, as all larger ones are, keeps the degree limits
+    /// of [`largest_angle`](Self::largest_angle), as `known` does: one question instead of all that lead to that angle.
+    ///
+    /// # Errors
+    ///
+    /// A cancelled `progress`.
+    pub fn reaches_angle(
+        &self,
+        problem: &Problem,
+        max_degree: u32,
+        is_enough: impl Fn(f64) -> bool,
+        known: &[[u32; 3]],
+        steps: u64,
+        progress: Progress<'_>,
+    ) -> Result<Decision, Cancelled> {
+        if is_enough(measure::degrees(least_tangent(problem.points(), known))) {
+            return Ok(Decision::Mesh(vec![known.to_vec()]));
+        }
+        let refuted = Decision::Refuted(Refutation { clauses: vec![Vec::new()] });
+        let Some(limits) = problem.degree_limits(max_degree) else { return Ok(refuted) };
+        let tangents = self.tangents_above(f64::NEG_INFINITY);
+        let first = tangents.partition_point(|&tangent| !is_enough(measure::degrees(tangent)));
+        let Some(&tangent) = tangents.get(first) else { return Ok(refuted) };
+        self.decide(&limits.chords, &[tangent], &[known.to_vec()], steps, progress)
+    }
+
     /// The largest minimum angle of all triangulations in which no vertex has more than `max_degree` edges,
     /// external ones included, or more than its own degree limit, as far as `steps` suffice, which it takes off
     /// them. `known` keeps these limits.
