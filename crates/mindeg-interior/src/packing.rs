@@ -57,6 +57,9 @@ const MOST_SPOKES: u32 = 64;
 /// triangle on the edge between them.
 const APART: f64 = 0.6;
 
+/// Nearer to a piece of other vertices than this share of its length, no spoke ends: on the piece it would divide it.
+const ON_PIECE: f64 = 0.1;
+
 /// Nearer to an edge than this share of size or edge length, no point is put.
 const CLEARANCE: f64 = 0.45;
 
@@ -162,7 +165,10 @@ impl Ground<'_> {
                 Some((other, _)) => is_beside_lines && other as usize >= own,
                 None => true,
             };
-            if is_free && self.is_inside(place, f64::INFINITY) {
+            if is_free
+                && self.is_inside(place, f64::INFINITY)
+                && !self.is_on_piece(place, at, ON_PIECE * length)
+            {
                 let size = self.field.at(place);
                 self.check_room(place, size)?;
                 near.insert(place);
@@ -247,6 +253,13 @@ impl Ground<'_> {
             return Ok(());
         }
         Err(InteriorError::NoRoom { at: at.to_array(), size, rounding: self.rounding })
+    }
+
+    /// True if a piece that does not end at `vertex` is the nearest to `x`, and nearer than that.
+    fn is_on_piece(&self, x: DVec2, vertex: DVec2, most: f64) -> bool {
+        let nearest = self.tree_of_pieces.nearest(x, most);
+        let nearest = nearest.map(|(piece, _)| &self.pieces[piece as usize]);
+        nearest.is_some_and(|piece| ![piece.from, piece.to].contains(&vertex))
     }
 
     /// True if `x` lies in the domain. `within`: a distance at which a point inside is known.

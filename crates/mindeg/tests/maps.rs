@@ -327,3 +327,22 @@ fn degrees_that_the_regions_exceed_together_are_proven_and_checked() {
         assert!(shares.eq(verified.together.iter().map(|own| own.1)));
     }
 }
+
+/// A spoke of the fan at one corner ended on the border between two regions, which was missing in the mesh.
+#[test]
+fn borders_of_one_long_edge_stay_whole() {
+    for lake in [[3, 3, 6, 9], [6, 3, 9, 6], [3, 3, 6, 6]] {
+        let [left, bottom, right, top] = lake;
+        for width in [15, 20] {
+            let (domain, found) = meshed(&format!(
+                r#"{{"ring": [[0, 0], [10, 0], [{width}, 0], [{width}, 10], [10, 10], [0, 10]],
+                    "lines": [{{"corners": [[10, 0], [10, 10]], "intervals": 1}},
+                        {{"corners": [[{left}, {bottom}], [{right}, {bottom}], [{right}, {top}], [{left}, {top}]],
+                        "closed": true, "intervals": 1}}]}}"#
+            ));
+            has_all_edges(&domain, &found);
+            let all = f64::from(10 * width);
+            assert!((area(&found) - all).abs() < 1e-9, "{lake:?}, {width}");
+        }
+    }
+}
