@@ -55,7 +55,7 @@ pub struct ConditionAnswer {
     pub angle_limit_before: f64,
     /// No mesh of the new boundary has a greater minimum angle.
     pub angle_limit: f64,
-    /// Whether no place stays below the demanded angle.
+    /// Whether no place is known that stays below the demanded angle.
     pub is_reached: bool,
     /// All changes, in the order in which they were made.
     pub changes: Vec<ChangeRow>,
@@ -85,8 +85,10 @@ pub struct LeftRow {
     /// The same in degrees of longitude and latitude, if the domain was projected.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub degrees: Option<[f64; 2]>,
-    /// The limit there.
+    /// The limit there; if that is not proven, the angle of the best mesh that a search found.
     pub angle_limit: f64,
+    /// Whether no mesh has a greater angle there.
+    pub is_proven: bool,
     /// Why, and what to do.
     pub reason: &'static str,
 }
@@ -140,11 +142,12 @@ impl ConditionAnswer {
                 Reason::Kept => "its points are to stay: keep fewer",
                 Reason::Short => "its edges would get too short: allow a larger distance",
                 Reason::Narrow => {
-                    "no better triangles were found of an inlet or strait one edge wide: allow a larger distance, or close it by a least width"
+                    "an inlet or strait one edge wide: allow a larger distance, or close it by a least width"
                 }
             };
             let at = left.at.to_array();
-            LeftRow { at, degrees: degrees(left.at), angle_limit: left.limit, reason }
+            let is_proven = left.reason != Reason::Narrow;
+            LeftRow { at, degrees: degrees(left.at), angle_limit: left.limit, is_proven, reason }
         };
         let narrow = |narrow: &Narrow| NarrowRow {
             at: narrow.at.to_array(),
@@ -226,27 +229,24 @@ impl ConditionAnswer {
         };
         let _ = writeln!(
             text,
-            "{moved}. The minimum angle of a mesh can be {}, {} before.",
+            "{moved}. No mesh has a minimum angle above {}, before {}.",
             steady_angle(self.angle_limit),
             steady_angle(self.angle_limit_before)
         );
-        if !self.left.is_empty() {
+        let (proven, searched): (Vec<&LeftRow>, Vec<&LeftRow>) =
+            self.left.iter().partition(|row| row.is_proven);
+        if !proven.is_empty() {
+            let stay = plural(proven.len(), "place stays", "places stay");
+            let _ = writeln!(text, "{stay} below the angle:");
+            list(&mut text, &proven);
+        }
+        if !searched.is_empty() {
+            let places = plural(searched.len(), "place", "places");
             let _ = writeln!(
                 text,
-                "{} below the angle:",
-                plural(self.left.len(), "place stays", "places stay")
+                "In {places} a search found no mesh of the angle, which does not prove that there is none:"
             );
-        }
-        for row in self.left.iter().take(MOST_LEFT) {
-            let place = match (row.degrees, row.at) {
-                (Some([x, y]), _) => format!("longitude {x}, latitude {y}"),
-                (None, [x, y]) => format!("({x}, {y})"),
-            };
-            let _ =
-                writeln!(text, "  at {place}: {}; {}", steady_angle(row.angle_limit), row.reason);
-        }
-        if self.left.len() > MOST_LEFT {
-            let _ = writeln!(text, "  and {} more; --json lists all", self.left.len() - MOST_LEFT);
+            list(&mut text, &searched);
         }
         text
     }
@@ -289,7 +289,7 @@ impl ConditionAnswer {
         });
         let left = self.left.iter().map(|row| {
             let properties =
-                json!({"kind": "left", "angle_limit": row.angle_limit, "reason": row.reason});
+                json!({"kind": "left", "angle_limit": row.angle_limit, "is_proven": row.is_proven, "reason": row.reason});
             point(row.degrees.unwrap_or(row.at), properties)
         });
         let narrow = self.narrow.iter().map(|row| {
@@ -304,6 +304,20 @@ impl ConditionAnswer {
         let boundaries = boundaries.into_iter().flatten();
         let features: Vec<Value> = boundaries.chain(changes).chain(left).chain(narrow).collect();
         json!({"type": "FeatureCollection", "features": features})
+    }
+}
+
+/// Writes the first places that are left.
+fn list(text: &mut String, rows: &[&LeftRow]) {
+    for row in rows.iter().take(MOST_LEFT) {
+        let place = match (row.degrees, row.at) {
+            (Some([x, y]), _) => format!("longitude {x}, latitude {y}"),
+            (None, [x, y]) => format!("({x}, {y})"),
+        };
+        let _ = writeln!(text, "  at {place}: {}; {}", steady_angle(row.angle_limit), row.reason);
+    }
+    if rows.len() > MOST_LEFT {
+        let _ = writeln!(text, "  and {} more; --json lists all", rows.len() - MOST_LEFT);
     }
 }
 
@@ -335,3 +349,36 @@ fn place(domain: &Domain, at: DVec2) -> [f64; 2] {
 
 /// The places that the text names.
 const MOST_LEFT: usize = 10;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mindeg::interior::{BoundaryDemands, condition};
+
+    #[test]
+    fn what_is_proven_and_what_a_search_found_are_told_apart() {
+        let strait =
+            Domain::from_rings([[[0.0, 0.0], [10.0, 0.0], [10.0, 0.5], [0.0, 0.5]]]).unwrap();
+        let (domain, mut conditioned) =
+            condition(&strait, &BoundaryDemands::default(), &[]).unwrap();
+        let text = |conditioned: &Conditioned| {
+            let answer = ConditionAnswer::of(
+                std::slice::from_ref(&strait),
+                std::slice::from_ref(&domain),
+                std::slice::from_ref(conditioned),
+            );
+            (answer.is_reached, answer.text("strait"))
+        };
+        assert!(text(&conditioned).0);
+        let left =
+            |x: f64, reason| mindeg::interior::Left { at: DVec2::new(x, 0.0), limit: 20.0, reason };
+        conditioned.left = vec![left(1.0, Reason::Narrow), left(2.0, Reason::Sharp)];
+        let (is_reached, text) = text(&conditioned);
+        assert!(!is_reached);
+        let sharp = "1 place stays below the angle:\n  at (2, 0): 20.000°; the corner is sharper";
+        assert!(text.contains(sharp), "{text}");
+        let narrow = "In 1 place a search found no mesh of the angle, which does not prove that there is \
+                      none:\n  at (1, 0): 20.000°; an inlet or strait";
+        assert!(text.contains(narrow), "{text}");
+    }
+}

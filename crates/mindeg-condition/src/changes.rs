@@ -72,7 +72,7 @@ pub enum NarrowReason {
 pub struct Left {
     /// Where.
     pub at: DVec2,
-    /// The limit there, in degrees.
+    /// The limit there, in degrees; in a narrow place the angle of the best mesh that was found.
     pub limit: f64,
     /// Why.
     pub reason: Reason,
@@ -89,6 +89,6 @@ pub enum Reason {
     Kept,
     /// The edges there would get too short to tell their points apart.
     Short,
-    /// An inlet or a strait about one edge wide: its triangles together reach no more, whatever single vertices allow.
+    /// An inlet or a strait about one edge wide: a search found no mesh of it with the angle. That is no proof that there is none.
     Narrow,
 }

@@ -1,43 +1,59 @@
 //! Inlets and straits about one edge wide: what single vertices and pairs of edges allow, their triangles together may not.
 //!
-//! In such an inlet there is hardly room for points, so its triangles have their corners on its shore. The best of these
-//! triangulations is found exactly (`fit.rs`). Where it stays below the demanded angle, and so does a mesh of the inlet with points
-//! inside, points of the shore are moved (`shift.rs`), dropped, or put on edges, each where it helps most, until there is one that
-//! reaches it.
+//! In such a place there is hardly room for points, so its triangles have their corners on its shores. The best of these
+//! triangulations is found exactly (`fit.rs`). Where it has hardly more than the demanded angle, what is around is meshed with points inside,
+//! as the whole will be (`around.rs`). If that mesh has less there, points of the shores are moved (`shift.rs`), dropped, or
+//! put on edges, each where it helps a mesh most, until there is one that has the angle.
 
+mod around;
 mod chords;
 mod fit;
 mod shift;
+mod step;
 mod straits;
 
 use crate::chains::Chains;
 use crate::changes::{BoundaryChange, ChangeKind, Left, Reason};
 use crate::demands::BoundaryDemands;
 use crate::error::ConditionError;
+use around::{Around, Meshed, Whole};
 use chords::inlets;
-use fit::{angle_further_in, angle_of, angle_with_point, meshed_angle};
+use fit::angle_of;
 use glam::DVec2;
 use mindeg_mesh::Progress;
 use mindeg_mesh::planar::PlanarBoundary;
+use std::collections::BTreeSet;
+use step::{Step, is_at_end};
 use straits::straits;
 
 /// So often all inlets are looked at, since a change of one may be another one's.
 const ROUNDS: usize = 2;
 /// The most changes of one inlet.
 const MOST_CHANGES: usize = 6;
-/// A change is worth so many degrees at least.
+/// Triangles of the shores alone with so many degrees more than wanted leave no doubt.
+const MARGIN: f64 = 3.0;
+/// The mesh of the whole may have so many degrees less at a place than that of what is around: searches differ.
+const SURE: f64 = 1.0;
+/// So many of the changes that help the triangles of the shores are meshed at most, to choose one.
+const MOST_MESHES: usize = 8;
+/// So many at the thinnest triangle of a mesh.
+const MOST_AT_WORST: usize = 24;
+/// So many meshes are made in search of changes at most, and one more for so many vertices: what is still too thin then is told.
+const MOST_IN_ALL: usize = 100;
+const VERTICES: usize = 50;
+/// A change is worth so many degrees of the triangles of the shores at least, or of a mesh.
 const WORTH: f64 = 0.05;
+const WORTH_MESHED: f64 = 0.25;
 /// The shares of the allowed distance by which a point is moved.
 const SHARES: [f64; 2] = [1.0, 0.4];
 /// The directions in which it is.
 const DIRECTIONS: usize = 8;
 
-/// A change of an inlet.
-#[derive(Clone, Copy)]
-enum Step {
-    Shift { vertex: u32, to: DVec2 },
-    Drop { vertex: u32 },
-    Insert { edge: u32, at: DVec2 },
+/// A place whose triangles are too thin.
+struct Place {
+    shores: Vec<Vec<u32>>,
+    around: Around,
+    meshed: Meshed,
 }
 
 impl Chains {
@@ -48,34 +64,38 @@ impl Chains {
         demands: &BoundaryDemands,
     ) -> Result<Vec<Left>, ConditionError> {
         self.longest = self.edges().map(|edge| self.length(edge)).fold(0.0, f64::max);
-        let mut is_changed = true;
+        let (mut is_changed, mut in_vain) = (true, BTreeSet::new());
+        let mut meshes = MOST_IN_ALL + self.vertices.len() / VERTICES;
         for round in 0.. {
-            // Where a vertex has a smaller limit of its own, that is what decides.
-            let is_open = |shores: &Vec<Vec<u32>>| self.least_limit(shores) >= demands.angle;
             let boundary = prove(self)?;
             let (inner, lines) = (boundary.inner_points(), boundary.segments());
             let triangles = mindeg_delaunay::triangles(&boundary, inner, lines, Progress::NONE)
                 .map_err(|error| ConditionError::Narrow(error.to_string()))?;
-            let inlets = inlets(self, &boundary, &triangles);
-            let straits = straits(self, &boundary, &triangles, &inlets);
-            let found = inlets.into_iter().map(|shore| vec![shore]).chain(straits);
-            let limits = found.filter(is_open).map(|shores| self.reached(shores, demands.angle));
-            let small: Vec<(f64, Vec<Vec<u32>>)> =
-                limits.filter(|(limit, _)| *limit < demands.angle).collect();
+            let small = self.small(&Whole::new(self, &boundary, &triangles), demands.angle);
             if !is_changed || small.is_empty() || round == ROUNDS {
-                let left = |(limit, shores): &(f64, Vec<Vec<u32>>)| Left {
-                    at: self.at(shores[0][shores[0].len() / 2]),
-                    limit: limit.max(angle_further_in(self, shores).0),
+                let left = |place: &Place| Left {
+                    at: self.at(place.shores[0][place.shores[0].len() / 2]),
+                    limit: place.meshed.angle,
                     reason: Reason::Narrow,
                 };
-                let left = small.iter().map(left);
-                return Ok(left.filter(|left| left.limit < demands.angle).collect());
+                let is_told = |place: &&Place| place.meshed.angle < demands.angle;
+                return Ok(small.iter().filter(is_told).map(left).collect());
             }
             is_changed = false;
-            for (limit, shores) in small {
+            for mut place in small {
                 // A change of another one may have taken points of it, or put some on its edges.
-                if shores.iter().all(|shore| self.is_run(shore)) {
-                    is_changed |= self.widen(shores, limit, demands);
+                if place.shores.iter().any(|shore| !self.is_run(shore)) {
+                    continue;
+                }
+                // Or have mended it.
+                if is_changed && let Some(now) = place.around.meshed(self, &place.shores, None) {
+                    place.meshed = now;
+                }
+                let as_it_is = (place.shores.clone(), place.meshed.angle.to_bits());
+                if !in_vain.contains(&as_it_is) {
+                    let is_other = self.widen(place, demands, &mut meshes);
+                    is_changed |= is_other;
+                    in_vain.extend((!is_other).then_some(as_it_is));
                 }
             }
             if is_changed {
@@ -85,23 +105,21 @@ impl Chains {
         Ok(Vec::new())
     }
 
-    /// The angle that is reached between shores: by triangles alone, or else with points inside; and the shores up to the mouths for that.
-    fn reached(&self, shores: Vec<Vec<u32>>, wanted: f64) -> (f64, Vec<Vec<u32>>) {
-        let alone = angle_of(self, &shores);
-        if alone >= wanted {
-            return (alone, shores);
-        }
-        let meshed = meshed_angle(self, &shores);
-        if meshed >= wanted || shores.len() == 1 {
-            return (alone.max(meshed), shores);
-        }
-        // The mouths of a strait are anywhere.
-        let (further_in, within) = angle_further_in(self, &shores);
-        if further_in > alone.max(meshed) {
-            (further_in, within)
-        } else {
-            (alone.max(meshed), shores)
-        }
+    /// The places where neither triangles with corners on the shores alone have an angle for sure, nor a mesh of what is around.
+    fn small(&self, whole: &Whole<'_>, wanted: f64) -> Vec<Place> {
+        let inlets = inlets(self, whole);
+        let straits = straits(self, whole, &inlets);
+        let all = inlets.into_iter().map(|shore| vec![shore]).chain(straits);
+        // Where a vertex has a smaller limit of its own, that is what decides.
+        let doubtful = all.filter(|shores| {
+            self.least_limit(shores) >= wanted && angle_of(self, shores, None) < wanted + MARGIN
+        });
+        let place = |shores: Vec<Vec<u32>>| {
+            let around = whole.around(&shores)?;
+            let meshed = around.meshed(self, &shores, None)?;
+            Some(Place { shores, around, meshed })
+        };
+        doubtful.filter_map(place).filter(|place| place.meshed.angle < wanted + SURE).collect()
     }
 
     /// Whether a shore is there, point by point.
@@ -110,36 +128,91 @@ impl Chains {
             && shore.windows(2).all(|ends| self.next(ends[0]) == ends[1])
     }
 
-    /// Changes an inlet until its triangles can have the demanded angle, or nothing more helps. Tells whether anything has changed.
-    fn widen(
-        &mut self,
-        mut shores: Vec<Vec<u32>>,
-        mut limit: f64,
-        demands: &BoundaryDemands,
-    ) -> bool {
-        let mut is_changed = false;
+    /// Changes a place until a mesh of it has the demanded angle, or nothing more helps. Tells whether anything has changed.
+    fn widen(&mut self, mut place: Place, demands: &BoundaryDemands, meshes: &mut usize) -> bool {
+        let (mut is_changed, goal) = (false, demands.angle + SURE);
         for _ in 0..MOST_CHANGES {
-            if limit >= demands.angle {
+            if place.meshed.angle >= goal {
                 break;
             }
-            // The angle that each reaches, up to the demand, how far it moves the shore, and the step.
-            let mut steps: Vec<(f64, f64, Step)> = Vec::new();
-            for step in self.steps(&shores, demands) {
-                let Some((reached, moved)) = self.try_step(step, &shores, demands) else {
-                    continue;
-                };
-                if reached >= (limit + WORTH).min(demands.angle) {
-                    steps.push((reached.min(demands.angle), moved, step));
-                }
+            let steps = self.of_shores(&place, demands, goal);
+            let mut found = self.best_of(&steps, &place, goal, meshes);
+            if found.is_none() && place.meshed.angle < demands.angle {
+                let steps = self.of_worst(&place, demands);
+                found = self.best_of(&steps, &place, goal, meshes);
             }
-            steps.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.total_cmp(&b.1)));
-            let best = steps.into_iter().find(|(_, _, step)| self.is_safe(*step));
-            let Some((_, _, step)) = best else { break };
-            self.take(step, &mut shores, demands);
-            limit = angle_of(self, &shores).min(self.least_limit(&shores));
+            let Some((meshed, step)) = found else { break };
+            self.take(step, &mut place.shores, demands);
+            place.meshed = meshed;
             is_changed = true;
         }
         is_changed
+    }
+
+    /// Of some changes the one with which a mesh of a place has the greatest angle, or the first that is enough; none if that is no greater than now.
+    fn best_of(
+        &self,
+        steps: &[Step],
+        place: &Place,
+        goal: f64,
+        meshes: &mut usize,
+    ) -> Option<(Meshed, Step)> {
+        let mut best: Option<(Meshed, Step)> = None;
+        for step in steps {
+            if *meshes == 0 {
+                break;
+            }
+            *meshes -= 1;
+            let Some(meshed) = place.around.meshed(self, &place.shores, Some(*step)) else {
+                continue;
+            };
+            let angle = meshed.angle;
+            if angle > best.as_ref().map_or(place.meshed.angle + WORTH_MESHED, |best| best.0.angle)
+            {
+                best = Some((meshed, *step));
+            }
+            if angle >= goal {
+                break;
+            }
+        }
+        best
+    }
+
+    /// The changes that help the triangles with corners on the shores alone most.
+    fn of_shores(&mut self, place: &Place, demands: &BoundaryDemands, goal: f64) -> Vec<Step> {
+        let shores = &place.shores;
+        let least = (angle_of(self, shores, None) + WORTH).min(goal);
+        let mut steps: Vec<(f64, f64, Step)> = Vec::new();
+        for step in self.steps(shores.iter().flatten(), demands) {
+            let Some(moved) = self.moved_by(step, demands).filter(|_| !is_at_end(step, shores))
+            else {
+                continue;
+            };
+            let reached = angle_of(self, shores, Some(step));
+            if reached >= least {
+                steps.push((reached.min(goal), moved, step));
+            }
+        }
+        steps.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.total_cmp(&b.1)));
+        let steps = steps.into_iter().map(|step| step.2);
+        steps.filter(|step| self.is_safe(*step)).take(MOST_MESHES).collect()
+    }
+
+    /// The changes at the thinnest triangle that a mesh has there, from that which moves the shore least.
+    fn of_worst(&mut self, place: &Place, demands: &BoundaryDemands) -> Vec<Step> {
+        let mut steps: Vec<(f64, Step)> = Vec::new();
+        for step in self.steps(&place.meshed.beside, demands) {
+            let is_drop_at_end =
+                matches!(step, Step::Drop { .. }) && is_at_end(step, &place.shores);
+            if let Some(moved) = self.moved_by(step, demands)
+                && !is_drop_at_end
+            {
+                steps.push((moved, step));
+            }
+        }
+        steps.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let steps = steps.into_iter().map(|step| step.1);
+        steps.filter(|step| self.is_safe(*step)).take(MOST_AT_WORST).collect()
     }
 
     /// The least limit at the shore's own vertices and those beside them.
@@ -153,22 +226,19 @@ impl Chains {
         all.map(|v| self.limit(v)).fold(60.0, f64::min)
     }
 
-    /// All changes that there are.
-    fn steps(&self, shores: &[Vec<u32>], demands: &BoundaryDemands) -> Vec<Step> {
+    /// All changes at some vertices.
+    fn steps<'a>(
+        &self,
+        vertices: impl IntoIterator<Item = &'a u32>,
+        demands: &BoundaryDemands,
+    ) -> Vec<Step> {
         let mut steps = Vec::new();
-        let of_shore = |shore: &Vec<u32>| {
-            let ends = [shore[0], shore[shore.len() - 1]];
-            shore
-                .iter()
-                .map(move |v| (*v, *v == ends[0] || *v == ends[1], *v == ends[1]))
-                .collect::<Vec<_>>()
-        };
-        for (vertex, is_end, is_last) in shores.iter().flat_map(of_shore) {
+        for &vertex in vertices {
             let is_old = demands.within > 0.0 && self.vertices[vertex as usize].home.is_none();
-            if !is_end && is_old && self.drop_distance(vertex, demands).is_some() {
+            if is_old && self.drop_distance(vertex, demands).is_some() {
                 steps.push(Step::Drop { vertex });
             }
-            if !is_last && !self.is_kept_edge(vertex) {
+            if !self.is_kept_edge(vertex) {
                 let at = self.at(vertex).midpoint(self.at(self.next(vertex)));
                 steps.push(Step::Insert { edge: vertex, at });
             }
@@ -187,34 +257,23 @@ impl Chains {
         steps
     }
 
-    /// The angle that an inlet would have after a change, and how far that moves the shore; none if it would not do.
-    fn try_step(
-        &mut self,
-        step: Step,
-        shores: &[Vec<u32>],
-        demands: &BoundaryDemands,
-    ) -> Option<(f64, f64)> {
+    /// How far a change moves the boundary; none if it would not do, or makes limits too small.
+    fn moved_by(&mut self, step: Step, demands: &BoundaryDemands) -> Option<f64> {
         match step {
             Step::Shift { vertex, to } => {
                 let moved = self.shifted_by(vertex, to, demands)?;
                 let old = std::mem::replace(&mut self.vertices[vertex as usize].point.at, to);
-                let own = self.least_limit(shores);
-                let reached = (own >= demands.angle).then(|| angle_of(self, shores));
+                let around = [self.previous(vertex), vertex, self.next(vertex)];
+                let own = around.into_iter().map(|v| self.limit(v)).fold(60.0, f64::min);
                 self.vertices[vertex as usize].point.at = old;
-                Some((reached?, moved))
+                (own >= demands.angle).then_some(moved)
             }
             // Its own limits are no smaller then.
-            Step::Drop { vertex } => {
-                let mut without = shores.to_vec();
-                without.iter_mut().for_each(|shore| shore.retain(|v| *v != vertex));
-                let reached = angle_of(self, &without);
-                Some((reached, self.drop_distance(vertex, demands)?))
-            }
+            Step::Drop { vertex } => self.drop_distance(vertex, demands),
             Step::Insert { edge, at } => {
                 let [from, to] = [edge, self.next(edge)];
                 let beside = self.limit_with(from, to, at).min(self.limit_with(to, from, at));
-                let is_good = beside >= demands.angle;
-                is_good.then(|| (angle_with_point(self, shores, edge, at), 0.0))
+                (beside >= demands.angle).then_some(0.0)
             }
         }
     }

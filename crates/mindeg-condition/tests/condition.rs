@@ -175,7 +175,8 @@ fn small_holes_are_dropped_and_kept_edges_stay_whole() {
 #[test]
 fn coasts_by_chance_reach_the_angle_within_the_distance() {
     let (mut reached, mut all) = (0, 0);
-    for seed in 0..13 {
+    // Nearly every place of the thirteenth is a strait whose changes are tried by meshes, which takes longer than a test may.
+    for seed in (0..16).filter(|seed| *seed != 13) {
         let rings = coast(40 + 7 * (seed as u32 % 20), 0.05 * (seed % 7) as f64, seed);
         let Ok(boundary) = PlanarBoundary::new(&rings) else { continue };
         for size in [None, Some(4.0)] {
@@ -282,16 +283,19 @@ fn an_inlet_one_edge_wide_gets_room_for_its_triangles() {
     assert_eq!(count(&kept, ChangeKind::Shifted) + count(&kept, ChangeKind::Dropped), 0);
 }
 
-#[test]
-fn meshes_of_straits_one_edge_wide_mostly_have_the_angle_or_their_places_are_told() {
+/// Conditions and meshes some of the straits by chance: two bays, and between them a strait with uneven shores, each of
+/// which alone allows the angle. Gives how many points were moved.
+fn straits_by_chance(cases: std::ops::Range<u32>) -> usize {
     let mut random = Random::new(7);
-    let (mut shifted, mut short) = (0, 0);
-    for _ in 0..14 {
-        // Two bays, and between them a strait with uneven shores, each of which alone allows the angle.
+    let mut shifted = 0;
+    for case in 0..cases.end {
         let mut off = |most: f64| most * (2.0 * random.unit() - 1.0);
         let mut shore = |x: f64, ys: [f64; 4]| ys.map(|y| [x + off(0.3), y + off(0.45)]).to_vec();
         let east = shore(0.45, [-1.5, -0.5, 0.5, 1.5]);
         let west = shore(-0.45, [1.5, 0.5, -0.5, -1.5]);
+        if case < cases.start {
+            continue;
+        }
         let north = [[1.5, 2.2], [1.5, 3.5], [0.0, 4.0], [-1.5, 3.5], [-1.5, 2.2]];
         let south = north.map(|[x, y]| [-x, -y]);
         let strait = ring(&[&south[..], &east, &north, &west].concat());
@@ -299,13 +303,23 @@ fn meshes_of_straits_one_edge_wide_mostly_have_the_angle_or_their_places_are_tol
         let found = conditioned(std::slice::from_ref(&strait), &demands);
         assert!(found.moved <= 0.3);
         shifted += count(&found, ChangeKind::Shifted);
-        let least = found.left.iter().map(|left| left.limit).fold(25.0, f64::min);
         let outline = PlanarBoundary::new(&places(&found)).unwrap();
         let mesh = generate(&outline, &Options::default(), Progress::NONE).unwrap();
-        short += u32::from(mesh.report.min_angle < least - 1e-9);
+        let angle = mesh.report.min_angle;
+        // Neither in silence nor by a false alarm.
+        assert_eq!(angle >= 25.0, found.left.is_empty(), "{case}: {angle} {:?}", found.left);
     }
-    // Four where straits are not looked at. Where there is another way through than that which was found, a mesh may take it.
-    assert!(shifted > 0 && short <= 2, "{short}");
+    shifted
+}
+
+#[test]
+fn meshes_of_straits_one_edge_wide_have_the_angle_or_their_places_are_told() {
+    straits_by_chance(0..12);
+}
+
+#[test]
+fn meshes_of_other_straits_have_the_angle_or_their_places_are_told() {
+    assert!(straits_by_chance(12..24) > 0);
 }
 
 #[test]

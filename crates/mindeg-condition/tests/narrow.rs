@@ -257,13 +257,14 @@ fn coast(points: u32, seed: u64) -> Vec<Vec<DVec2>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(48))]
+    #![proptest_config(ProptestConfig::with_cases(24))]
     /// The exact sweep passes, points that stay are the old ones, held ones are all there, and a second run changes nothing.
     #[test]
     fn rough_coasts_stay_sound(points in 8_u32..90, seed in any::<u64>(), width in 0.3..3.0) {
         let rings = coast(points, seed);
         let Ok(boundary) = PlanarBoundary::new(&rings) else { return Ok(()) };
-        let demands = BoundaryDemands { narrowest: width, ..WIDE };
+        // With a large angle, most time goes to thin places that this is not about.
+        let demands = BoundaryDemands { angle: 10.0, narrowest: width, ..WIDE };
         let hold = |edge: u32| if edge.is_multiple_of(7) { Hold::Point } else { Hold::Free };
         let found = condition(&boundary, &demands, hold).unwrap();
         let of: Vec<u32> = found.rings.iter().flatten().filter_map(|point| point.of).collect();

@@ -110,6 +110,29 @@ pub fn generate(
     options: &Options,
     progress: Progress<'_>,
 ) -> Result<Generated, InteriorError> {
+    generate_of(outline, options, usize::MAX, progress)
+}
+
+/// [`generate`] with the first of its starts alone, as large meshes have it, whatever it reaches.
+///
+/// # Errors
+///
+/// As [`generate`].
+pub fn generate_once(
+    outline: &PlanarBoundary,
+    options: &Options,
+    progress: Progress<'_>,
+) -> Result<Generated, InteriorError> {
+    generate_of(outline, options, 1, progress)
+}
+
+/// [`generate`] with so many starts at most.
+fn generate_of(
+    outline: &PlanarBoundary,
+    options: &Options,
+    starts: usize,
+    progress: Progress<'_>,
+) -> Result<Generated, InteriorError> {
     options.check()?;
     check_coordinates(outline)?;
     let limits = limits(outline, |v| options.degree_limit(outline, v));
@@ -126,7 +149,7 @@ pub fn generate(
         Prefer::Angle => &[Prefer::Angle, Prefer::Degree],
     };
     let tries: Vec<(Prefer, &Seed)> =
-        ways.iter().flat_map(|way| SEEDS.iter().map(|seed| (*way, seed))).collect();
+        ways.iter().flat_map(|way| SEEDS.iter().map(|seed| (*way, seed))).take(starts).collect();
     let mut stage = Stage::new(progress, "adding interior points");
     for (index, (prefer, seed)) in tries.iter().enumerate() {
         let mut way = options.clone();

@@ -118,7 +118,7 @@ mod worth;
 
 pub use asked::size_of_area;
 pub use edge_limits::edge_limit;
-pub use generate::{Generated, generate};
+pub use generate::{Generated, generate, generate_once};
 pub use improve::{Improved, Keep, improve};
 pub use lengths::{CoarseEdge, SizeReport};
 pub use mindeg_domain::{Interior, Prefer, Size, SizeAt};
@@ -130,3 +130,4 @@ pub use surface::{
     CornerLimit, OffDegree, RemeshError, RemeshOptions, RemeshReport, Remeshed, RemeshedCurve,
     improve_surface, remesh,
 };
+pub use triangle::least_angle;

@@ -34,6 +34,12 @@ pub(crate) fn min_angle<V: Vector>([a, b, c]: [V; 3]) -> f64 {
     libm::atan2(doubled, dot) * (180.0 / PI)
 }
 
+/// The minimum angle of a counter-clockwise triangle of the plane in degrees; 0 of another one.
+#[must_use]
+pub fn least_angle(corners: [DVec2; 3]) -> f64 {
+    min_angle(corners).max(0.0)
+}
+
 /// True if the minimum angle's sine is at least this, by the edges' lengths alone: no trigonometry.
 pub(crate) fn has_sine<V: Vector>(corners @ [a, b, c]: [V; 3], sine: f64) -> bool {
     let squares = [a.distance_squared(b), b.distance_squared(c), c.distance_squared(a)];

@@ -1,8 +1,8 @@
 //! Where shores face each other about one edge apart: inlets that an edge of the triangulation closes.
 
+use super::around::Whole;
 use crate::chains::Chains;
-use mindeg_mesh::planar::PlanarBoundary;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 /// The most edges of an inlet's shore.
 const MOST_EDGES: usize = 16;
@@ -11,19 +11,10 @@ pub(super) const WIDTH: f64 = 1.5;
 
 /// The inlets of a boundary, whose vertices are the chains' in order: the shore of each, from one end of its mouth to the other, with the domain
 /// on the left. None lies in another one.
-pub(super) fn inlets(
-    chains: &Chains,
-    boundary: &PlanarBoundary,
-    triangles: &[[u32; 3]],
-) -> Vec<Vec<u32>> {
-    let vertices: Vec<u32> = chains.ring_order().concat();
+pub(super) fn inlets(chains: &Chains, whole: &Whole<'_>) -> Vec<Vec<u32>> {
+    let Whole { boundary, triangles, left, vertices, .. } = whole;
     let on_rings = vertices.len() as u32;
-    // The triangle on the left of each edge inside.
-    let mut left: BTreeMap<[u32; 2], usize> = BTreeMap::new();
-    for (index, &[a, b, c]) in triangles.iter().enumerate() {
-        left.extend([[a, b], [b, c], [c, a]].map(|edge| (edge, index)));
-    }
-    let is_shore = |[a, b]: [u32; 2]| a < on_rings && boundary.next(a) == b;
+    let is_shore = |edge| whole.is_shore(edge);
     // How many edges of its ring lie behind an edge across, if all that is there are their triangles.
     let behind = |edge: [u32; 2]| -> Option<usize> {
         let (mut stack, mut shore, mut seen) = (vec![edge], 0, 0);

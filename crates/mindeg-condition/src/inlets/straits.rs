@@ -2,9 +2,9 @@
 //!
 //! A long one, or an inlet with more shore than is searched at once, is looked at in pieces that overlap.
 
+use super::around::{Whole, sides};
 use super::chords::WIDTH;
 use crate::chains::Chains;
-use mindeg_mesh::planar::PlanarBoundary;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A piece has the triangles up to so many edges across from its middle.
@@ -17,14 +17,13 @@ const MOST_MOUTHS: usize = 4;
 /// The shores of each piece of a strait, with the domain on the left, in their order around it. `inlets` are left out.
 pub(super) fn straits(
     chains: &Chains,
-    boundary: &PlanarBoundary,
-    triangles: &[[u32; 3]],
+    whole: &Whole<'_>,
     inlets: &[Vec<u32>],
 ) -> Vec<Vec<Vec<u32>>> {
-    let vertices: Vec<u32> = chains.ring_order().concat();
+    let Whole { boundary, triangles, vertices, .. } = whole;
     let on_rings = vertices.len() as u32;
     let at = |v: u32| boundary.point(v);
-    let is_shore = |[a, b]: [u32; 2]| a < on_rings && boundary.next(a) == b;
+    let is_shore = |edge| whole.is_shore(edge);
     // Twice the mean length of the edges at each vertex.
     let mut beside = vec![0.0; vertices.len()];
     for v in 0..on_rings {
@@ -40,10 +39,7 @@ pub(super) fn straits(
             && has_one_side(b)
             && at(a).distance(at(b)) <= WIDTH * (beside[a as usize] + beside[b as usize]) / 4.0
     };
-    let edges = |triangle: usize| {
-        let [a, b, c] = triangles[triangle];
-        [[a, b], [b, c], [c, a]]
-    };
+    let edges = |triangle: usize| sides(triangles[triangle]);
     let mut left: BTreeMap<[u32; 2], usize> = BTreeMap::new();
     for triangle in 0..triangles.len() {
         if edges(triangle).into_iter().all(|edge| is_shore(edge) || is_narrow(edge)) {
@@ -72,6 +68,8 @@ pub(super) fn straits(
         inlets.iter().map(|inlet| inlet.iter().copied().collect()).collect();
     let middles: BTreeSet<usize> = left.values().copied().collect();
     let mut covered: BTreeSet<usize> = BTreeSet::new();
+    // From several middles pieces may be the same.
+    let mut known: BTreeSet<BTreeSet<usize>> = BTreeSet::new();
     let mut found = Vec::new();
     for middle in middles {
         if covered.contains(&middle) {
@@ -89,13 +87,18 @@ pub(super) fn straits(
             Some((own, reach, shores))
         });
         let Some((own, reach, shores)) = piece else { continue };
+        let triangles: BTreeSet<usize> = own.iter().map(|one| one.0).collect();
         covered.extend(own.iter().filter(|one| one.1 + INSIDE <= reach).map(|one| one.0));
         let shores: Vec<Vec<u32>> = shores
             .into_iter()
             .map(|shore| shore.into_iter().map(|v| vertices[v as usize]).collect())
             .collect();
         let is_inlet = |inlet: &BTreeSet<u32>| shores.iter().flatten().all(|v| inlet.contains(v));
-        if shores.len() > 1 && own.len() > 1 && !of_inlets.iter().any(is_inlet) {
+        if shores.len() > 1
+            && own.len() > 1
+            && !of_inlets.iter().any(is_inlet)
+            && known.insert(triangles)
+        {
             found.push(shores);
         }
     }

@@ -1,0 +1,327 @@
+//! What is round a narrow place, as far as a mesh of it depends on that, and the angle that a mesh has there.
+//!
+//! A piece of a strait alone would be closed by edges across its mouths, which a mesh need not have. So triangles are taken
+//! until these edges are far enough, and the edges get points, as if there were a mesh beyond.
+
+use super::step::Step;
+use crate::chains::Chains;
+use glam::DVec2;
+use mindeg_interior::{Options, generate_once, least_angle};
+use mindeg_mesh::Progress;
+use mindeg_mesh::planar::PlanarBoundary;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The triangles up to so many edges across from those at the shores belong to the surroundings.
+const REACH: usize = 8;
+/// The most triangles of surroundings, about.
+const MOST_TRIANGLES: usize = 600;
+/// Edges across open water are as long as those at their ends and this share of the distance to them.
+const GROWTH: f64 = 0.4;
+/// And so many times as long at most.
+const LONGEST: f64 = 4.0 / 3.0;
+
+/// A triangulated domain: the chains as they are.
+pub(super) struct Whole<'a> {
+    pub(super) boundary: &'a PlanarBoundary,
+    pub(super) triangles: &'a [[u32; 3]],
+    /// The triangle on the left of each edge inside.
+    pub(super) left: BTreeMap<[u32; 2], usize>,
+    /// The chains' vertex of each of the rings.
+    pub(super) vertices: Vec<u32>,
+    /// The other way round.
+    at_vertex: BTreeMap<u32, u32>,
+    /// The edges of lines inside, in ascending order of their ends.
+    lines: BTreeSet<[u32; 2]>,
+}
+
+impl<'a> Whole<'a> {
+    pub(super) fn new(
+        chains: &Chains,
+        boundary: &'a PlanarBoundary,
+        triangles: &'a [[u32; 3]],
+    ) -> Self {
+        let edges = (0..).zip(triangles).flat_map(|(index, corners)| {
+            sides(*corners).into_iter().map(move |edge| (edge, index))
+        });
+        let lines = boundary.segments().iter().map(|[a, b]| [*a.min(b), *a.max(b)]);
+        let vertices = chains.ring_order().concat();
+        Self {
+            boundary,
+            triangles,
+            left: edges.collect(),
+            at_vertex: vertices.iter().copied().zip(0..).collect(),
+            vertices,
+            lines: lines.collect(),
+        }
+    }
+
+    /// Whether an edge is one of a ring, in its direction.
+    pub(super) fn is_shore(&self, [a, b]: [u32; 2]) -> bool {
+        a < self.vertices.len() as u32 && self.boundary.next(a) == b
+    }
+
+    fn is_line(&self, [a, b]: [u32; 2]) -> bool {
+        self.lines.contains(&[a.min(b), a.max(b)])
+    }
+
+    /// The triangle beyond an edge of another one, unless a line is between them.
+    fn beyond(&self, [a, b]: [u32; 2]) -> Option<usize> {
+        self.left.get(&[b, a]).copied().filter(|_| !self.is_line([a, b]))
+    }
+
+    /// What is round shores; none if that is not a domain.
+    pub(super) fn around(&self, shores: &[Vec<u32>]) -> Option<Around> {
+        let mut own = Cut { whole: self, triangles: BTreeSet::new(), queue: Vec::new() };
+        for vertex in shores.iter().flatten() {
+            own.take_fan(*self.at_vertex.get(vertex)?);
+        }
+        let mut start = 0;
+        for _ in 0..REACH {
+            let end = own.queue.len();
+            for index in start..end {
+                for side in sides(self.triangles[own.queue[index]]) {
+                    if own.triangles.len() < MOST_TRIANGLES
+                        && let Some(other) = self.beyond(side)
+                    {
+                        own.take(other);
+                    }
+                }
+            }
+            start = end;
+        }
+        own.rings().map(|rings| own.around(rings))
+    }
+}
+
+pub(super) fn sides([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
+    [[a, b], [b, c], [c, a]]
+}
+
+/// Triangles of the whole, in the order in which they were taken.
+struct Cut<'a> {
+    whole: &'a Whole<'a>,
+    triangles: BTreeSet<usize>,
+    queue: Vec<usize>,
+}
+
+impl Cut<'_> {
+    fn take(&mut self, triangle: usize) {
+        if self.triangles.insert(triangle) {
+            self.queue.push(triangle);
+        }
+    }
+
+    /// Takes all triangles at a vertex.
+    fn take_fan(&mut self, vertex: u32) {
+        let whole = self.whole;
+        let from = whole.left.range([vertex, 0]..=[vertex, u32::MAX]);
+        from.for_each(|(_, triangle)| self.take(*triangle));
+    }
+
+    /// The edges with no triangle of the cut beyond them, as rings, with the domain on the left; none if they touch each other.
+    fn rings(&mut self) -> Option<Vec<Vec<u32>>> {
+        // All triangles at a vertex where they do make them part there.
+        let next = loop {
+            let mut next: BTreeMap<u32, u32> = BTreeMap::new();
+            let mut touching = Vec::new();
+            for &triangle in &self.triangles {
+                for [a, b] in sides(self.whole.triangles[triangle]) {
+                    let beyond = self.whole.beyond([a, b]);
+                    let is_rim = beyond.is_none_or(|beyond| !self.triangles.contains(&beyond));
+                    if is_rim && next.insert(a, b).is_some() {
+                        touching.push(a);
+                    }
+                }
+            }
+            if touching.is_empty() {
+                break next;
+            }
+            let before = self.triangles.len();
+            touching.into_iter().for_each(|vertex| self.take_fan(vertex));
+            if self.triangles.len() == before {
+                return None;
+            }
+        };
+        let mut seen: BTreeSet<u32> = BTreeSet::new();
+        let mut rings: Vec<Vec<u32>> = Vec::new();
+        for &start in next.keys() {
+            let mut ring = Vec::new();
+            let mut vertex = start;
+            while seen.insert(vertex) {
+                ring.push(vertex);
+                vertex = *next.get(&vertex)?;
+            }
+            if !ring.is_empty() {
+                rings.push(ring);
+            }
+        }
+        // The outer one is the only one that is counter-clockwise.
+        let at = |v: u32| self.whole.boundary.point(v);
+        let doubled = |ring: &Vec<u32>| -> f64 {
+            let ends = ring.iter().zip(ring.iter().cycle().skip(1));
+            ends.map(|(a, b)| (at(*a) - at(ring[0])).perp_dot(at(*b) - at(ring[0]))).sum()
+        };
+        rings.sort_by(|a, b| doubled(b).total_cmp(&doubled(a)));
+        Some(rings)
+    }
+
+    fn around(&self, rings: Vec<Vec<u32>>) -> Around {
+        let whole = self.whole;
+        let on_rim: BTreeSet<u32> = rings.iter().flatten().copied().collect();
+        let corners = self.triangles.iter().flat_map(|triangle| whole.triangles[*triangle]);
+        let inner: BTreeSet<u32> = corners.filter(|v| !on_rim.contains(v)).collect();
+        let rim = |ring: Vec<u32>| -> Vec<Rim> {
+            let place = |v: u32| match whole.vertices.get(v as usize) {
+                Some(vertex) => Place::Vertex(*vertex),
+                None => Place::Point(whole.boundary.point(v)),
+            };
+            let edges = ring.iter().zip(ring.iter().cycle().skip(1));
+            let rim = |(a, b): (&u32, &u32)| {
+                let is_free = !whole.is_shore([*a, *b]) && !whole.is_line([*a, *b]);
+                Rim { place: place(*a), is_shore: whole.is_shore([*a, *b]), is_free }
+            };
+            edges.map(rim).collect()
+        };
+        Around {
+            rings: rings.into_iter().map(rim).collect(),
+            inner: inner.into_iter().map(|v| whole.boundary.point(v)).collect(),
+        }
+    }
+}
+
+enum Place {
+    /// A vertex of the chains.
+    Vertex(u32),
+    Point(DVec2),
+}
+
+/// A corner of the surroundings, and the edge from there to the next one.
+struct Rim {
+    place: Place,
+    is_shore: bool,
+    /// Whether the edge goes across the domain.
+    is_free: bool,
+}
+
+/// The surroundings of a narrow place.
+pub(super) struct Around {
+    rings: Vec<Vec<Rim>>,
+    inner: Vec<DVec2>,
+}
+
+impl Around {
+    /// Meshes it with the chains as they are now and a change; none if there is no mesh.
+    pub(super) fn meshed(
+        &self,
+        chains: &Chains,
+        shores: &[Vec<u32>],
+        step: Option<Step>,
+    ) -> Option<Meshed> {
+        let at_shores: BTreeSet<u32> = shores.iter().flatten().copied().collect();
+        let rings: Vec<Vec<Corner>> =
+            self.rings.iter().map(|ring| corners(chains, ring, step)).collect();
+        let vertices: Vec<Option<u32>> =
+            rings.iter().flatten().map(|corner| corner.vertex).collect();
+        let points: Vec<Vec<DVec2>> =
+            rings.iter().map(|ring| ring.iter().map(|corner| corner.at).collect()).collect();
+        let (outline, turned) = PlanarBoundary::map(&points, &self.inner, &[]).ok()?;
+        if !turned.is_empty() {
+            return None;
+        }
+        let mesh = generate_once(&outline, &Options::default(), Progress::NONE).ok()?;
+        let of_chains = |v: &u32| vertices.get(*v as usize).copied().flatten();
+        let is_at_shores = |v: &u32| of_chains(v).is_some_and(|v| at_shores.contains(&v));
+        let counted = mesh.triangles.iter().filter(|corners| corners.iter().any(is_at_shores));
+        let angle = |corners: &[u32; 3]| least_angle(corners.map(|v| mesh.points[v as usize]));
+        let angles = counted.map(|corners| (angle(corners), corners));
+        let (angle, worst) = angles.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        // The triangle and those across its edges.
+        let is_beside =
+            |corners: &&[u32; 3]| corners.iter().filter(|v| worst.contains(v)).count() > 1;
+        let beside = mesh.triangles.iter().filter(is_beside).flatten().filter_map(of_chains);
+        Some(Meshed { angle, beside: beside.collect() })
+    }
+}
+
+/// What a mesh of surroundings is like.
+pub(super) struct Meshed {
+    /// The minimum angle of the triangles at the shores, in degrees.
+    pub(super) angle: f64,
+    /// The vertices of the chains at the triangle that has it and beside it.
+    pub(super) beside: BTreeSet<u32>,
+}
+
+/// A corner of the polygon that is meshed.
+struct Corner {
+    at: DVec2,
+    vertex: Option<u32>,
+    /// The mean length of the edges beside it in the chains.
+    size: f64,
+}
+
+/// The corners of a ring: shores as they are now but for a change, and points on edges across the domain.
+fn corners(chains: &Chains, ring: &[Rim], step: Option<Step>) -> Vec<Corner> {
+    let is_dropped = |v: u32| matches!(step, Some(Step::Drop { vertex }) if vertex == v);
+    let corner = |v: u32| {
+        let at = match step {
+            Some(Step::Shift { vertex, to }) if vertex == v => to,
+            _ => chains.at(v),
+        };
+        let size = (chains.length(v) + chains.length(chains.previous(v))) / 2.0;
+        Corner { at, vertex: Some(v), size }
+    };
+    let new = |at| Corner { at, vertex: None, size: f64::INFINITY };
+    let is_alive = |rim: &&Rim| match rim.place {
+        Place::Vertex(v) => chains.vertices[v as usize].is_alive,
+        Place::Point(_) => true,
+    };
+    let alive: Vec<&Rim> = ring.iter().filter(is_alive).collect();
+    let mut corners: Vec<Corner> = Vec::new();
+    // The corners that begin edges across the domain.
+    let mut across: BTreeSet<usize> = BTreeSet::new();
+    for (index, rim) in alive.iter().enumerate() {
+        match (&rim.place, &alive[(index + 1) % alive.len()].place) {
+            (Place::Vertex(from), Place::Vertex(to)) if rim.is_shore => {
+                // What there is now between two vertices of the rim.
+                let own = std::iter::successors(Some(*from), |v| Some(chains.next(*v)));
+                for v in own.take_while(|v| v != to).filter(|v| !is_dropped(*v)) {
+                    corners.push(corner(v));
+                    match step {
+                        Some(Step::Insert { edge, at }) if edge == v => corners.push(new(at)),
+                        _ => {}
+                    }
+                }
+                continue;
+            }
+            (Place::Vertex(v), _) => corners.push(corner(*v)),
+            (Place::Point(at), _) => corners.push(new(*at)),
+        }
+        if rim.is_free {
+            across.insert(corners.len() - 1);
+        }
+    }
+    let mut all: Vec<Corner> = Vec::new();
+    let firsts: Vec<(DVec2, f64)> = corners.iter().map(|corner| (corner.at, corner.size)).collect();
+    for (index, corner) in corners.into_iter().enumerate() {
+        let ends = [(corner.at, corner.size), firsts[(index + 1) % firsts.len()]];
+        all.push(corner);
+        if across.contains(&index) {
+            let length = ends[0].0.distance(ends[1].0);
+            let put = &mut |at| all.push(new(at));
+            divided(ends.map(|end| end.0), ends.map(|end| end.1.min(length)), put);
+        }
+    }
+    all
+}
+
+/// Halves an edge until its parts have the lengths that are wanted at its ends, and grow from there.
+fn divided([a, b]: [DVec2; 2], [at_a, at_b]: [f64; 2], put: &mut impl FnMut(DVec2)) {
+    let length = a.distance(b);
+    let wanted = at_a.min(at_b) + GROWTH * length / 2.0;
+    if length > LONGEST * wanted {
+        let middle = a.midpoint(b);
+        divided([a, middle], [at_a, wanted], put);
+        put(middle);
+        divided([middle, b], [wanted, at_b], put);
+    }
+}
