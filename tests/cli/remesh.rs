@@ -173,7 +173,7 @@ fn dirty_parts_are_refused_unless_they_are_to_be_repaired() {
     .expect("a file");
     let arguments = ["remesh", text(&part), "-o", text(&file), "--size", "0.2"];
     mindeg(arguments).refuses(&["share an edge", "--repair mends what can be mended"]);
-    let run = mindeg(arguments.into_iter().chain(["--repair", "--json", "--preset", "fvcom"]));
+    let run = mindeg(arguments.into_iter().chain(["--repair", "--json", "--preset", "sms"]));
     assert!(
         run.errors.contains("Repaired first: 1 doubled face dropped, 1 face too many at an edge dropped, 1 face turned over."),
         "{run:?}"

@@ -2,7 +2,7 @@
 
 use crate::numbers::{four_digits, steady_angle};
 use mindeg::glam::DVec3;
-use mindeg_mesh::TriMesh;
+use mindeg_mesh::{LineKind, TriMesh, Triangles as _};
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
@@ -24,6 +24,10 @@ pub struct PresetRules {
     corner_inside: bool,
     /// Triangles are counter-clockwise and have an area.
     counter_clockwise: bool,
+    /// The triangles at each boundary vertex hang together by edges.
+    one_fan: bool,
+    /// No triangle has all its corners on the boundary and two of them at open water.
+    one_open_side: bool,
 }
 
 /// A program whose rules a mesh is to keep.
@@ -40,17 +44,25 @@ const NOTHING: PresetRules = PresetRules {
     most_skewness: None,
     corner_inside: false,
     counter_clockwise: false,
+    one_fan: false,
+    one_open_side: false,
 };
 
 /// All presets.
+//
+// What the sources say, looked up in November 2026. Rules that no source gives are not here: none of these programs states a
+// least angle or a greatest degree but SWAN, and the rule of FVCOM is one of its tools.
 pub static PRESETS: [PresetRules; 8] = [
+    // docs/technical_reference/parameter_definitions/index.rst, NM: corners counter-clockwise. src/mesh.F,
+    // initializeMesh: a negative area ends the run; the table of neighbours gets as many places as the mesh needs.
     PresetRules {
         name: "adcirc",
-        description: "ADCIRC (tides, storm surge): triangles counter-clockwise, with an area. Source: the \
-                      element table of fort.14 in ADCIRC's manual, which sets no limit on degrees",
+        description: "ADCIRC (tides, storm surge): triangles counter-clockwise, with an area. Source: NM in \
+                      ADCIRC's manual and initializeMesh in its mesh.F, which set no limit on degrees",
         counter_clockwise: true,
         ..NOTHING
     },
+    // anuga/abstract_2d_finite_volumes/general_mesh.py, General_mesh: an area of 0 or less ends the run.
     PresetRules {
         name: "anuga",
         description: "ANUGA (floods, tsunamis): triangles counter-clockwise, with an area. Source: \
@@ -58,35 +70,58 @@ pub static PRESETS: [PresetRules; 8] = [
         counter_clockwise: true,
         ..NOTHING
     },
+    // docs/getting-started/grid-generation.md, Mesh quality: what skewness is, and that more than 15 does no harm;
+    // typical-workflow.md: up to 60, areas from 1 m2 on, CFL above 0.4. src/Hydro/grid_subs.F90, aquire_hgrid: an area of 0
+    // or less, neighbours of opposite orientation and boundary nodes with two runs of elements end the run.
     PresetRules {
         name: "schism",
         description: "SCHISM (ocean): skewness at most 60, the longest side over the radius of the circle of \
-                      the same area; areas of at least 1 m² are not checked. Source: SCHISM's manual, \
-                      typical-workflow.md and grid-generation.md",
+                      the same area; triangles counter-clockwise, in one fan at each boundary vertex; areas of \
+                      at least 1 m² are not checked. Source: SCHISM's manual, typical-workflow.md and \
+                      grid-generation.md, and its grid_subs.F90",
         most_skewness: Some(60.0),
+        counter_clockwise: true,
+        one_fan: true,
         ..NOTHING
     },
+    // SwanCheckGrid.ftn90: 4 to 10 cells at a vertex, fewer at the boundary; no cosine of an angle of -0.8 or less.
+    // SwanGridCell.ftn90 looks for the next cell at a vertex as if all were counter-clockwise.
     PresetRules {
         name: "swan",
         description: "SWAN (waves): at least 4 triangles at each interior vertex, at most 10 at any, angles \
-                      below 143.13°. Source: SwanCheckGrid of SWAN, and its technical manual, node88.html",
+                      below 143.13°, triangles counter-clockwise. Source: SwanCheckGrid and SwanGridCell of \
+                      SWAN, and its technical manual, node88.html",
         least_interior_triangles: Some(4),
         most_triangles: Some(10),
         angles: Some(0.0..=143.13),
+        counter_clockwise: true,
         ..NOTHING
     },
+    // documentation/stbtel/user/latex/03_mesh_treatment.tex: three boundary corners may give wrong results, and corners are
+    // numbered counter-clockwise. sources/utils/bief/geoelt.f: a determinant below 1e-20 ends the run; checkmesh.f finds
+    // triangles at corners with no other one possible, but does not recommend them.
     PresetRules {
         name: "telemac",
-        description: "TELEMAC (rivers, coasts): no triangle has all its corners on the boundary. Source: \
-                      STBTEL's user manual, overstressed triangles",
+        description: "TELEMAC (rivers, coasts): no triangle has all its corners on the boundary, all are \
+                      counter-clockwise. Source: STBTEL's user manual, overstressed triangles, and geoelt.f of \
+                      BIEF",
         corner_inside: true,
+        counter_clockwise: true,
         ..NOTHING
     },
+    // FVCOM 4: src/tge.F, triangle_grid_edge: an element without neighbours, a boundary node with two runs of elements, and
+    // an element with three boundary nodes of which two are open end the run; NBVE gets as many places as the mesh needs.
+    // src/mod_input.F: elements of a grid file are counter-clockwise. The 8 are those of a copy of triangle_grid_edge for
+    // tools, whose NBVE has 9 places.
     PresetRules {
         name: "fvcom",
-        description: "FVCOM (ocean): at most 8 triangles at each vertex, which its array NBVE(M,9) holds. \
-                      Source: the declaration in FVCOM's code",
+        description: "FVCOM (ocean): triangles counter-clockwise, in one fan at each boundary vertex; none has \
+                      all corners on the boundary and two of them at open water; at most 8 at each vertex, \
+                      which tools with NBVE(M,9) hold, FVCOM 4 takes more. Source: tge.F and mod_input.F of FVCOM",
         most_triangles: Some(8),
+        counter_clockwise: true,
+        one_fan: true,
+        one_open_side: true,
         ..NOTHING
     },
     PresetRules {
@@ -137,7 +172,7 @@ impl PresetRules {
             };
         if let Some(least) = self.least_interior_triangles {
             vertex(
-                &|v| !v.is_boundary && v.triangles < least,
+                &|v| !v.is_boundary() && v.triangles < least,
                 &format!(" triangles, below {least}"),
                 &|v| v.triangles,
             );
@@ -147,6 +182,13 @@ impl PresetRules {
         }
         if let Some(most) = self.most_edges {
             vertex(&|v| v.edges > most, &format!(" edges, above {most}"), &|v| v.edges);
+        }
+        if self.one_fan {
+            vertex(
+                &|v| v.boundary_edges > 2,
+                " boundary edges: the boundary touches itself there",
+                &|v| v.boundary_edges,
+            );
         }
         if let Some(range) = &self.angles {
             let qualities = (0..).zip(triangles).map(|(index, t): (u32, _)| {
@@ -178,7 +220,7 @@ impl PresetRules {
             );
         }
         if self.corner_inside {
-            let on_boundary = |v: &u32| vertices.0[*v as usize].is_boundary;
+            let on_boundary = |v: &u32| vertices.0[*v as usize].is_boundary();
             first(
                 &|index| triangles[index].iter().all(on_boundary),
                 "has all its corners on the boundary; divide it by a point, or flip the edge that cuts it off"
@@ -189,6 +231,18 @@ impl PresetRules {
             first(
                 &|index| turned_area(corners(index)) <= 0.0,
                 "is not counter-clockwise, or has no area".to_owned(),
+            );
+        }
+        if self.one_open_side {
+            let open = at_open_water(mesh);
+            first(
+                &|index| {
+                    let corners = triangles[index].map(|v| v as usize);
+                    corners.iter().all(|v| vertices.0[*v].is_boundary())
+                        && corners.iter().filter(|v| open[**v]).count() > 1
+                },
+                "has all its corners on the boundary, two of them at open water; divide it by a point, or flip the edge that cuts it off"
+                    .to_owned(),
             );
         }
         if let Some(most) = self.area_ratio
@@ -202,6 +256,19 @@ impl PresetRules {
         }
         broken
     }
+}
+
+/// Of each vertex whether a line of open water ends or passes there.
+fn at_open_water(mesh: &TriMesh) -> Vec<bool> {
+    let mut open = vec![false; mesh.positions().len()];
+    for (index, line) in mesh.lines().iter().enumerate() {
+        if mesh.line_kind(index) == Some(LineKind::Open) {
+            let segments =
+                &mesh.segments()[line.segments.start as usize..line.segments.end as usize];
+            segments.as_flattened().iter().for_each(|v| open[*v as usize] = true);
+        }
+    }
+    open
 }
 
 /// Twice the area of a triangle of the plane, seen along the z axis; negative if it is clockwise.
@@ -220,7 +287,13 @@ fn skewness([a, b, c]: [DVec3; 3]) -> f64 {
 struct Vertex {
     triangles: u32,
     edges: u32,
-    is_boundary: bool,
+    boundary_edges: u32,
+}
+
+impl Vertex {
+    fn is_boundary(&self) -> bool {
+        self.boundary_edges > 0
+    }
 }
 
 struct Vertices(Vec<Vertex>);
@@ -233,7 +306,7 @@ impl Vertices {
         for edge in halves.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
             for v in [edge[0].0, edge[0].1] {
                 vertices[v as usize].edges += 1;
-                vertices[v as usize].is_boundary |= edge.len() == 1;
+                vertices[v as usize].boundary_edges += u32::from(edge.len() == 1);
             }
         }
         Self(vertices)
@@ -270,7 +343,7 @@ fn area_ratio(mesh: &TriMesh) -> Option<(f64, [u32; 2])> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use mindeg::glam::DVec3;
+    use mindeg_mesh::Line;
 
     /// A polygon of so many corners round its center.
     fn wheel(corners: u32) -> TriMesh {
@@ -333,6 +406,55 @@ mod tests {
         assert_eq!(broken("schism", [0.5, 0.002]), "");
         assert_eq!(broken("swan", [0.5, 0.167]), "");
         assert_eq!(broken("anuga", [0.0, 1.0]), "");
+    }
+
+    #[test]
+    fn programs_that_stop_at_clockwise_triangles_are_known() {
+        let clockwise = |mesh: TriMesh| {
+            let turned = mesh.triangles().iter().map(|[a, b, c]| [*a, *c, *b]).collect();
+            TriMesh::new(mesh.positions().to_vec(), turned).unwrap()
+        };
+        for name in ["adcirc", "anuga", "schism", "swan", "telemac", "fvcom"] {
+            assert_eq!(preset(name).broken_by(&wheel(6)), None, "{name}");
+            let broken = preset(name).broken_by(&clockwise(wheel(6))).unwrap_or_default();
+            assert!(broken.contains("triangle 0 is not counter-clockwise"), "{name}: {broken}");
+        }
+    }
+
+    #[test]
+    fn a_boundary_that_touches_itself_is_named() {
+        // Two triangles with one corner in common.
+        let points = [[0.0, 0.0], [1.0, -0.5], [1.0, 0.5], [-1.0, 0.5], [-1.0, -0.5]];
+        let points = points.map(|[x, y]| DVec3::new(x, y, 0.0)).to_vec();
+        let mesh = TriMesh::new(points, vec![[0, 1, 2], [0, 3, 4]]).unwrap();
+        for name in ["schism", "fvcom"] {
+            let broken = preset(name).broken_by(&mesh).unwrap_or_default();
+            assert!(broken.contains("vertex 0 has 4 boundary edges"), "{name}: {broken}");
+        }
+        assert_eq!(preset("adcirc").broken_by(&mesh), None);
+    }
+
+    #[test]
+    fn triangles_with_two_open_corners_and_none_inside_are_named() {
+        // A square of two triangles, with one side open; then with a point in its middle.
+        let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.5, 0.5]];
+        let points = corners.map(|[x, y]| DVec3::new(x, y, 0.0));
+        let mesh = |points: &[DVec3], triangles: Vec<[u32; 3]>, kind| {
+            let line = Line { name: "south".into(), segments: 0..1, is_straight: true };
+            let mesh = TriMesh::new(points.to_vec(), triangles).unwrap();
+            let mesh = mesh.with_lines(vec![line], vec![[0, 1]]).unwrap();
+            mesh.with_line_kinds(vec![Some(kind)])
+        };
+        let two = || vec![[0, 1, 2], [0, 2, 3]];
+        let broken = |mesh: &TriMesh| preset("fvcom").broken_by(mesh).unwrap_or_default();
+        let found = broken(&mesh(&points[..4], two(), LineKind::Open));
+        assert!(
+            found.contains("triangle 0 has all its corners on the boundary, two of them"),
+            "{found}"
+        );
+        assert_eq!(broken(&mesh(&points[..4], two(), LineKind::Land)), "");
+        let four = vec![[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]];
+        assert_eq!(broken(&mesh(&points, four, LineKind::Open)), "");
     }
 
     #[test]
