@@ -65,7 +65,8 @@ def plot(mesh, ax, values):
             )
     is_flat = points.shape[1] == 2
     if ax is None:
-        ax = plt.figure().add_subplot(projection=None if is_flat else "3d")
+        # The layout makes room for the legend and the colors.
+        ax = plt.figure(layout="constrained").add_subplot(projection=None if is_flat else "3d")
     if is_flat:
         _plot_in_plane(ax, mesh, values)
     else:
@@ -91,7 +92,7 @@ def _plot_in_plane(ax, mesh, values):
         path = np.insert(mesh.points[segments], 2, np.nan, axis=1).reshape(-1, 2)
         ax.plot(*path.T, linewidth=2, label=name)
     if 1 < len(mesh.lines) <= 10:
-        ax.legend(loc="upper left", bbox_to_anchor=(1.01, 1))
+        ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.08), ncols=min(len(mesh.lines), 4))
 
 
 def _plot_in_space(ax, mesh, values):

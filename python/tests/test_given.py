@@ -273,3 +273,19 @@ def test_files_in_degrees_get_degrees_of_a_projected_domain(tmp_path):
         assert 20 <= float(x) <= 24 and 35 <= float(y) <= 36, (x, y)
     mesh.save(tmp_path / "sea.vtu")
     assert mindeg.read(tmp_path / "sea.vtu").points[:, 0].min() > 1000
+
+
+def test_what_is_no_mesh_is_named(mesh):
+    with pytest.raises(TypeError, match=r"^first is a str; give a mindeg.Mesh, which mindeg.read makes of a file$"):
+        mindeg.bridge("part.obj")
+    with pytest.raises(TypeError, match=r"^meshes\[1\] is a int"):
+        mindeg.stitch([mesh, 3])
+    with pytest.raises(ValueError, match=r"mindeg.read makes a mesh of a file$"):
+        mindeg.inspect("part.obj")
+
+
+def test_sides_too_coarse_for_their_sizes_are_told():
+    square = mindeg.Domain(np.array([(0, 0), (1, 0), (1, 1), (0, 1)]))
+    with pytest.warns(UserWarning, match=r"never divided, and too coarse .* make the domain with size=0.01") as told:
+        square.mesh(interior=True, sizes=[(0.5, 0.01, 0.01)])
+    assert told[0].filename == __file__

@@ -9,7 +9,7 @@ use crate::domain::{Parts, name};
 use crate::failure::Failure;
 use crate::interrupt::SESSION;
 use crate::making::Making;
-use mindeg::interior::{self, InteriorError, InteriorMesh};
+use mindeg::interior::{self, AngleLimit, Cause, InteriorError, InteriorMesh};
 use mindeg::{Depths, Domain, Interior, Size, TriMesh};
 use mindeg_answers::advice::Purpose;
 use mindeg_answers::condition::ConditionAnswer;
@@ -190,6 +190,21 @@ fn draw_changes(
     }
 }
 
+/// Below this limit in degrees the boundary is worth changing: meshes need 20 to 30.
+const POOR_LIMIT: f64 = 20.0;
+
+/// What lifts a poor limit, unless it is the angle of a corner itself.
+fn condition_hint(arguments: &MeshArguments, limit: &AngleLimit) -> Option<String> {
+    let is_sharp =
+        matches!(limit.cause, Cause::Corner { angle, .. } if angle < limit.min_angle * 1.01);
+    let is_hinted = arguments.condition.is_none() && limit.min_angle < POOR_LIMIT && !is_sharp;
+    is_hinted.then(|| {
+        "hint: --condition=25 changes the boundary as little as lets a mesh have 25°, and tells each change; mindeg \
+         condition does that alone."
+            .to_owned()
+    })
+}
+
 /// The text on the changes of a boundary, without a line break at its end.
 fn words_on(conditioned: Option<&ConditionAnswer>, name: &str) -> Option<String> {
     conditioned.map(|answer| answer.text(name).trim_end().to_owned())
@@ -239,6 +254,7 @@ pub(super) fn run(
             .chain(depth_words)
             .chain(domain.notes())
             .chain(more_on_request(&found.report, wanted.target_angle))
+            .chain(condition_hint(arguments, limit))
             .collect::<Vec<_>>()
             .join("\n")
     };
@@ -299,6 +315,7 @@ pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Res
             .into_iter()
             .chain([text(&title(), &found, &lifting, &summary)])
             .chain(depth_words)
+            .chain(condition_hint(arguments, limit))
             .collect::<Vec<_>>()
             .join("\n")
     };
@@ -314,7 +331,8 @@ fn refused(domain: &Domain, wanted: &Interior, error: &InteriorError) -> Failure
         let words = lifting.text();
         return Failure::Input(format!("a minimum angle of {target}° is impossible. {words}"));
     }
-    Failure::input(error)
+    // The library names its key.
+    Failure::input(error.to_string().replace("max_points", "--max-points"))
 }
 
 fn text(title: &str, found: &InteriorMesh, lifting: &Lifting, summary: &Summary<'_>) -> String {

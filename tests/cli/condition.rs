@@ -316,3 +316,19 @@ fn narrow_water_is_closed_and_narrow_land_cut_off_and_all_are_told() {
     let again = mindeg(["condition", &new, "--narrowest", "1", "--json"]).json();
     assert_eq!((&again["inlets_closed"], &again["narrow"]), (&json!(0), &json!([])));
 }
+
+#[test]
+fn a_poor_boundary_is_told_what_lifts_its_limit() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("mesh.obj").display().to_string();
+    let hint = "hint: --condition=25 changes the boundary as little as lets a mesh have 25°";
+    let britain = domain("great-britain.json");
+    let mesh = ["mesh", &britain, "--interior", "-o", &out];
+    assert!(mindeg(mesh).errors.contains(hint));
+    let run = mindeg([&mesh[..], &["--condition=25"]].concat());
+    assert!(run.code == Some(0) && !run.errors.contains(hint), "{run:?}");
+    // No point more or less changes the angle of a corner.
+    let tip = b"POLYGON ((0 0, 10 -1, 10 1, 0 0))";
+    let run = mindeg_reading(["mesh", "-", "--interior", "-o", &out], tip);
+    assert!(run.code == Some(0) && !run.errors.contains("hint"), "{run:?}");
+}

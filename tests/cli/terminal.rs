@@ -119,7 +119,7 @@ fn examples_of_the_help_work() {
     let verified = "\"$MINDEG\" mesh assets/domains/wing-panel.json -q -o wing-panel.obj && \
                     \"$MINDEG\" mesh assets/domains/wing-panel.json --keep-angle 95% -q -o wing.glb && \
                     \"$MINDEG\" mesh --rectangle 4x3 --size 0.5 -q -o plate.stl";
-    let remeshed = "\"$MINDEG\" convert assets/models/bracket.obj -o part.stl && \
+    let remeshed = "\"$MINDEG\" mesh assets/models/cube.json -q -o part.stl && \
                     cp part.stl dirty.stl && \"$MINDEG\" convert part.stl -o scan.ply && \
                     \"$MINDEG\" remesh part.stl --size 4 -q -o remeshed.stl";
     for made in [part, verified, remeshed] {

@@ -64,6 +64,20 @@ pub fn sizes(report: &InteriorReport) -> Option<String> {
 /// are no interior points.
 #[must_use]
 pub fn coarse_sides(found: &InteriorMesh) -> Option<String> {
+    if let Some((problem, least)) = too_coarse(found) {
+        return Some(format!(
+            "warning: {problem}. Give these sides more intervals, or all of them --size {least}."
+        ));
+    }
+    (found.report.interior_points == 0).then(|| {
+        "No point fits inside: the boundary is never divided. --size S divides its sides into intervals of length S."
+            .to_owned()
+    })
+}
+
+/// The sides and lines that contradict the sizes asked for, in words, and a size that would do for all.
+#[must_use]
+pub fn too_coarse(found: &InteriorMesh) -> Option<(String, String)> {
     let place = |side: &CoarseSide| {
         let [x, y] = side.at.to_array().map(four_digits);
         let [length, size] = [side.length, side.size].map(four_digits);
@@ -79,17 +93,12 @@ pub fn coarse_sides(found: &InteriorMesh) -> Option<String> {
         )
     };
     if found.coarse_sides.is_empty() {
-        return (found.report.interior_points == 0).then(|| {
-            "No point fits inside: the boundary is never divided. --size S divides its sides into intervals of length S."
-                .to_owned()
-        });
+        return None;
     }
     let places = listed(found.coarse_sides.iter().map(place), "; ");
     let least = found.coarse_sides.iter().map(|side| side.size).fold(f64::INFINITY, f64::min);
-    Some(format!(
-        "warning: the boundary and lines are never divided, and too coarse for the sizes asked for: {}. Give these \
-         sides more intervals, or all of them --size {}.",
-        places,
-        four_digits(least)
-    ))
+    let problem = format!(
+        "the boundary and lines are never divided, and too coarse for the sizes asked for: {places}"
+    );
+    Some((problem, four_digits(least)))
 }

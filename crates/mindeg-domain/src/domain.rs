@@ -238,18 +238,25 @@ impl Domain {
 
     /// The changes to the description that the user should know, one sentence each.
     pub fn notes(&self) -> Vec<String> {
-        let note = |&ring: &usize| {
-            let (way, right) = match ring {
-                0 => ("clockwise", "an outline runs counter-clockwise"),
-                _ => ("counter-clockwise", "a hole runs clockwise"),
+        let outer = self.was_reversed().then(|| {
+            "The corners of the outline ran clockwise and were reversed (an outline runs counter-clockwise, with the \
+             domain on its left); each side kept its edge."
+                .to_owned()
+        });
+        let holes: Vec<String> =
+            self.turned.iter().filter(|&&ring| ring > 0).map(|&ring| ring_name(ring)).collect();
+        let holes = (!holes.is_empty()).then(|| {
+            let names = match &holes[..] {
+                [one] => one.clone(),
+                [first, .., last] => format!("{} holes, {first} to {last},", holes.len()),
+                [] => String::new(),
             };
             format!(
-                "The corners of {} ran {way} and were reversed ({right}, with the domain on its \
-                 left); each side kept its edge.",
-                ring_name(ring)
+                "The corners of {names} ran counter-clockwise and were reversed (a hole runs clockwise, with the \
+                 domain on its left); each side kept its edge."
             )
-        };
-        self.turned.iter().map(note).chain(self.splits.iter().cloned()).collect()
+        });
+        outer.into_iter().chain(holes).chain(self.splits.iter().cloned()).collect()
     }
 }
 

@@ -15,7 +15,7 @@ use pyo3::types::PyDict;
 use crate::arrays;
 use crate::dict::dict;
 use crate::domain::Domain;
-use crate::mesh::{Facts, Mesh, tri_mesh};
+use crate::mesh::{Facts, Mesh, mesh_argument, tri_mesh};
 use crate::work::{done, value_error};
 
 /// The triangles, and what is known of them.
@@ -175,14 +175,14 @@ pub(crate) fn fill(
 )]
 pub(crate) fn bridge(
     py: Python<'_>,
-    first: &Bound<'_, Mesh>,
-    second: Option<&Bound<'_, Mesh>>,
+    first: &Bound<'_, PyAny>,
+    second: Option<&Bound<'_, PyAny>>,
     interior: bool,
     through: Option<[u32; 2]>,
     max_degree: Option<u32>,
 ) -> PyResult<Mesh> {
-    let first = first.get().list()?;
-    let second = second.map(|second| second.get().list()).transpose()?;
+    let first = mesh_argument(first, "first")?.list()?;
+    let second = second.map(|second| mesh_argument(second, "second")?.list()).transpose()?;
     let loops = Loops::of(&first);
     let other = second.as_ref().map(Loops::of);
     let target = other.as_ref().unwrap_or(&loops);
@@ -222,13 +222,16 @@ pub(crate) fn bridge(
 #[pyo3(signature = (meshes, *, within=None))]
 pub(crate) fn stitch(
     py: Python<'_>,
-    meshes: Vec<Bound<'_, Mesh>>,
+    meshes: Vec<Bound<'_, PyAny>>,
     within: Option<&Bound<'_, Domain>>,
 ) -> PyResult<Mesh> {
     let of_area = within.and_then(|within| within.get().inner().projection().copied());
-    let projection = of_area.or_else(|| meshes.first().and_then(|mesh| mesh.get().projection()));
-    let meshes: Vec<TriMesh> =
-        meshes.iter().map(|mesh| mesh.get().list()).collect::<PyResult<_>>()?;
+    let given = (0..)
+        .zip(&meshes)
+        .map(|(at, mesh): (usize, _)| mesh_argument(mesh, &format!("meshes[{at}]")));
+    let given: Vec<&Mesh> = given.collect::<PyResult<_>>()?;
+    let projection = of_area.or_else(|| given.first().and_then(|mesh| mesh.projection()));
+    let meshes: Vec<TriMesh> = given.iter().map(|mesh| mesh.list()).collect::<PyResult<_>>()?;
     let area = within.map(|within| within.get().inner());
     let wanted = area.and_then(|area| area.interior().cloned()).unwrap_or_default();
     let gap = area.map_or(Gap::Overlap(None), Gap::Within);

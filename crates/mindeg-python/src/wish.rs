@@ -1,11 +1,14 @@
 //! The mesh that is wanted: a goal, or points inside.
 
 use std::borrow::Cow;
+use std::ffi::CString;
 
 use mindeg::{Domain, GOALS, Goal, InnerPoint, Interior};
 use mindeg_answers::demands::Demands;
 use mindeg_answers::interior::InteriorAnswer;
 use mindeg_answers::mesh::found_by;
+use mindeg_answers::sizes::too_coarse;
+use pyo3::exceptions::PyUserWarning;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::{Map, Value};
@@ -15,6 +18,9 @@ use crate::dict::dict;
 use crate::interior;
 use crate::mesh::{Facts, Mesh};
 use crate::work::{done, value_error};
+
+/// A warning names the line that called `Domain.mesh`, which calls this.
+const OF_CALLER: i32 = 2;
 
 /// The mesh that is wanted: a dict that the Python side makes of keyword arguments.
 #[derive(FromPyObject)]
@@ -92,6 +98,13 @@ impl Wish<'_> {
             domain = Cow::Owned(domain.with_inside(inside).map_err(value_error)?);
         }
         let found = done(py, |progress| mindeg::interior::mesh(&domain, &wanted, progress))?;
+        if let Some((problem, least)) = too_coarse(&found) {
+            let words = format!(
+                "{problem}. Give these sides more intervals, or make the domain with size={least}"
+            );
+            let category = py.get_type::<PyUserWarning>();
+            PyErr::warn(py, &category, &CString::new(words)?, OF_CALLER)?;
+        }
         let report = dict(py, &InteriorAnswer::from(&found))?.cast_into::<PyDict>()?.unbind();
         let projection = domain.projection().copied();
         let facts = Facts { report: Some(report), projection, ..Facts::default() };
