@@ -61,7 +61,8 @@ const NOTHING: f64 = 1e-8;
 /// Meshes a part anew.
 ///
 /// Where a tolerance is asked for and the result does not keep it, the search is repeated with shorter edges, unless that
-/// takes edges shorter than 0.3 sizes; the last result is returned, and [`RemeshedPart::defects`] says what it lacks.
+/// takes edges shorter than 0.3 sizes; the last result without defects is returned, else the last, and
+/// [`RemeshedPart::defects`] says what it lacks.
 /// Where neither size, vertices nor tolerance are asked for, the same is done for 0.3 % of the diagonal, which is no
 /// defect if it is not reached. Equal input gives equal bytes.
 ///
@@ -114,20 +115,28 @@ pub fn remesh(
         keep_boundary: wish.keep_boundary,
         keep_features: wish.keep_features,
     };
-    let mut repeat = 0;
+    let (mut repeat, mut before) = (0, None::<RemeshedPart>);
     loop {
         let found = search(&surface, &options, progress)?;
         let mut judged = judged(part, &surface, found, wish, tolerance, progress)?;
         judged.repairs = repairs;
         let distance = judged.distance();
+        let is_far = |part: &RemeshedPart| most.is_some_and(|most| part.distance() > most);
+        let rank = |part: &RemeshedPart| (part.defects().next().is_some(), is_far(part));
+        // Where two sheets are near each other, others of a later mesh may cross.
+        let best = match before.take() {
+            Some(before) if rank(&before) < rank(&judged) => before,
+            _ => judged,
+        };
         let Some(most) = most.filter(|most| distance > *most) else {
-            return Ok(judged);
+            return Ok(best);
         };
         let factor = (most / distance).min(0.9);
         if tolerance.is_none() && options.tolerance.is_none() {
             // The distance that was reached tells how short edges must be.
             options.tolerance = Some(ROOMY * most);
             options.chord = Some(factor * size::rules(wish, size).tolerance);
+            before = Some(best);
             continue;
         }
         repeat += 1;
@@ -135,8 +144,9 @@ pub fn remesh(
         let shorter = if repeat > 1 { factor } else { factor.sqrt() };
         let next = options.size.map(|old| old * shorter).filter(|next| *next >= SHRINK * size);
         if next.is_none() || options.tolerance.is_none() || repeat == REPEATS {
-            return Ok(judged);
+            return Ok(best);
         }
+        before = Some(best);
         options.size = next;
         let stricter = if options.chord.is_some() { factor.sqrt() } else { factor };
         options.chord = options.chord.map(|chord| chord * factor);

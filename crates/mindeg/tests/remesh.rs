@@ -5,7 +5,7 @@
 
 use mindeg::glam::DVec3;
 use mindeg::remesh::{PartError, Remesh, remesh};
-use mindeg::{Group, Positions, Progress, TriMesh, Triangles};
+use mindeg::{Bounds, Group, Positions, Progress, TriMesh, Triangles};
 
 /// A box of two triangles to a side; the first `open` sides are left out.
 fn cuboid(extent: DVec3, open: usize) -> TriMesh {
@@ -43,6 +43,27 @@ fn the_number_of_vertices_is_near_the_one_asked_for() {
         let found = remesh(&part, &wish, Progress::NONE).unwrap();
         let share = f64::from(found.mesh.vertex_count()) / f64::from(vertices);
         assert!((0.8..1.25).contains(&share), "{share}");
+    }
+}
+
+/// Where the shortest chains of operations that mend a degree move the surface too far, longer ones do not, or those of
+/// shorter edges.
+#[test]
+fn bent_blocks_have_no_vertex_with_another_degree() {
+    let blocks = [
+        (&include_bytes!("bent-blocks-1.off")[..], 0.214),
+        (&include_bytes!("bent-blocks-2.off")[..], 0.287),
+    ];
+    for (text, size) in blocks {
+        let part = mindeg_formats::off::read(text).unwrap();
+        let bounds = Bounds::of_space(part.positions().iter().copied()).unwrap();
+        let tolerance = Some(0.01 * bounds.size().length());
+        let wish = Remesh { size: Some(size), tolerance, ..Remesh::default() };
+        let found = remesh(&part, &wish, Progress::NONE).unwrap();
+        assert_eq!(found.defects().count(), 0);
+        assert_eq!(found.verified.out_of_range, []);
+        // Seven curves leave no other choice.
+        assert!(found.verified.proven.iter().all(|proven| proven.sectors.len() == 7));
     }
 }
 

@@ -5,11 +5,10 @@
 use crate::goal::Weights;
 use crate::manifold::Manifold;
 use crate::operations::{Cavity, Operation, operations};
-use crate::stage::Stage;
 use crate::surface::reference::OnSurface;
 use crate::surface::work::SurfaceMesh;
 use crate::trial::Bench;
-use mindeg_mesh::Cancelled;
+use crate::triangle::min_angle;
 
 /// The longest chain.
 const LONGEST: u32 = 5;
@@ -17,57 +16,45 @@ const LONGEST: u32 = 5;
 const MOST_SLACK: u32 = 3;
 /// So many chains are tried at a vertex, the cheapest first.
 const KEPT: usize = 8;
-/// So many operations are looked at for one vertex.
-const MOST: usize = 12_000;
-/// So many vertices get a search: a mesh with more broken ones has a part that cannot be mended.
-const VERTICES: usize = 300;
-/// Angles may fall to this share of the floor: they are mended later.
-const BROKEN_FLOOR: f64 = 0.4;
+/// Angles may fall to this share of what they should be, and where they are so small already to this share of what they were:
+/// they are mended later.
+pub(crate) const BROKEN: f64 = 0.4;
+pub(crate) const LOST: f64 = 0.5;
 
-/// Mends vertices whose degrees are out of range. Returns how many chains were done.
-pub(crate) fn mend(
-    mesh: &mut SurfaceMesh<'_>,
-    weights: &Weights,
-    stage: &mut Stage<'_>,
-) -> Result<usize, Cancelled> {
-    let is_broken = |mesh: &SurfaceMesh<'_>, v: u32| {
-        mesh.vertices[v as usize].triangles > 0 && weights.excess(mesh, v) > 0
-    };
-    let all = 0..mesh.vertices.len() as u32;
-    let broken: Vec<u32> = all.filter(|v| is_broken(mesh, *v)).take(VERTICES).collect();
-    let mut done = 0;
-    for vertex in broken {
-        stage.still()?;
-        if !is_broken(mesh, vertex) {
-            continue;
-        }
-        for chain in found(mesh, weights, vertex) {
-            if carried_out(mesh, weights, &chain) {
-                done += 1;
-                break;
-            }
-        }
-    }
-    Ok(done)
+/// True if the degree of a vertex is out of its range.
+pub(crate) fn is_broken(mesh: &SurfaceMesh<'_>, weights: &Weights, vertex: u32) -> bool {
+    mesh.vertices[vertex as usize].triangles > 0 && weights.excess(mesh, vertex) > 0
 }
 
-/// The best chains of the fewest operations that lower the excess.
-fn found(mesh: &mut SurfaceMesh<'_>, weights: &Weights, vertex: u32) -> Vec<Chain> {
+/// Does the best of the shortest chains that lower the excess and keep what must be kept, looking at `most` operations. True
+/// if there is one; else the mesh is as it was. The mesh is recording.
+pub(crate) fn is_mended(
+    mesh: &mut SurfaceMesh<'_>,
+    weights: &Weights,
+    vertex: u32,
+    most: usize,
+) -> bool {
     let excess = weights.excess(mesh, vertex);
-    mesh.record();
-    let mut search = Search { mesh, weights, excess, allowed: 0, left: MOST, found: Vec::new() };
-    let mut chain = Chain::default();
+    let (mut left, mut failed) = (most, Vec::new());
     for (slack, length) in (1..=MOST_SLACK).flat_map(|slack| (1..=LONGEST).map(move |l| (slack, l)))
     {
-        if search.left == 0 || !search.found.is_empty() {
+        if left == 0 {
             break;
         }
-        search.allowed = excess + slack;
-        search.extend(&mut chain, &[vertex], excess, length);
+        let allowed = excess + slack;
+        let mut search =
+            Search { mesh, weights, excess, allowed, left, failed: &failed, found: Vec::new() };
+        search.extend(&mut Chain::default(), &[vertex], excess, length);
+        let found = search.found;
+        left = search.left;
+        for chain in found {
+            if carried_out(mesh, weights, &chain) {
+                return true;
+            }
+            failed.push(chain.operations);
+        }
     }
-    let found = search.found;
-    mesh.commit();
-    found
+    false
 }
 
 /// Operations one after the other, the vertices of all their cavities, and by how much they raise the cost of shapes.
@@ -87,6 +74,8 @@ struct Search<'a, 's> {
     allowed: u32,
     /// Operations that may be looked at.
     left: usize,
+    /// Chains that were no use.
+    failed: &'a [Vec<Operation>],
     /// The cheapest first.
     found: Vec<Chain>,
 }
@@ -151,7 +140,9 @@ impl Search<'_, '_> {
         }
         chain.operations.push(operation);
         chain.vertices.extend(&cavity.vertices);
-        if is_last {
+        if is_last && self.failed.contains(&chain.operations) {
+            // Nothing follows, either: it would be longer than needed.
+        } else if is_last {
             let at = self.found.partition_point(|found| found.cost <= chain.cost);
             self.found.insert(at, chain.clone());
             self.found.truncate(KEPT);
@@ -172,7 +163,7 @@ fn carried_out(mesh: &mut SurfaceMesh<'_>, weights: &Weights, chain: &Chain) -> 
     vertices.sort_unstable();
     vertices.dedup();
     let old: Vec<u32> = vertices.iter().copied().filter(|v| *v < given).collect();
-    mesh.record();
+    let mark = mesh.mark();
     let mut bench = Bench::new(mesh, weights.clone());
     let is_used =
         |bench: &Bench<'_, OnSurface<'_>>, v: &u32| bench.mesh.vertices[*v as usize].triangles > 0;
@@ -180,23 +171,34 @@ fn carried_out(mesh: &mut SurfaceMesh<'_>, weights: &Weights, chain: &Chain) -> 
         let used = vertices.iter().filter(|v| is_used(bench, v));
         used.map(|v| bench.weights.excess(bench.mesh, *v)).sum()
     };
-    let (before, angle) = (excess(&bench, &old), bench.cost(&old, std::iter::empty()).min_angle);
+    let (before, share) = (excess(&bench, &old), least_share(bench.mesh, weights, &old));
     let survey = OnSurface::survey(bench.mesh, &old, false);
     let is_done = chain
         .operations
         .iter()
         .all(|operation| bench.perform(*operation, f64::INFINITY, f64::NEG_INFINITY).is_some());
     let is_good = is_done && {
-        let after = bench.cost(&vertices, std::iter::empty()).min_angle;
         let used: Vec<u32> = vertices.iter().copied().filter(|v| is_used(&bench, v)).collect();
         let keeps = |survey| OnSurface::keeps(bench.mesh, &survey, &used);
         excess(&bench, &vertices) < before
-            && after >= angle.min(BROKEN_FLOOR * weights.floor)
+            && least_share(bench.mesh, weights, &used) >= BROKEN.min(LOST * share)
             && survey.is_none_or(keeps)
     };
     if !is_good {
-        mesh.undo(0);
+        mesh.undo(mark);
     }
-    mesh.commit();
     is_good
+}
+
+/// The least share that the angles of the triangles at some vertices have of what they should be.
+pub(crate) fn least_share(mesh: &SurfaceMesh<'_>, weights: &Weights, vertices: &[u32]) -> f64 {
+    let mut star = Vec::new();
+    let mut least = f64::INFINITY;
+    for v in vertices {
+        mesh.star(*v, &mut star);
+        let shares =
+            star.iter().map(|t| min_angle(mesh.corners(*t)) / weights.wanted_angle(mesh, *t));
+        least = shares.fold(least, f64::min);
+    }
+    least
 }

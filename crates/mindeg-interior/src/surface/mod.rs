@@ -3,6 +3,7 @@
 mod chains;
 mod guard;
 mod kept;
+mod mend;
 #[cfg(test)]
 #[path = "../../examples/surfaces/models.rs"]
 mod models;

@@ -5,8 +5,8 @@ use crate::goal::Weights;
 use crate::optimise::{Pairs, is_done, optimise};
 use crate::options::Options;
 use crate::stage::Stage;
-use crate::surface::chains::mend;
 use crate::surface::guard::is_far;
+use crate::surface::mend::mend;
 use crate::surface::passes::passes;
 use crate::surface::reference::Reference;
 use crate::surface::sectors::Sectors;
@@ -138,7 +138,7 @@ impl From<Cancelled> for RemeshError {
 /// The tolerance without another wish, as a share of the size.
 const TOLERANCE: f64 = 0.2;
 /// How often degrees are mended by chains at most.
-const MENDED: usize = 3;
+const MENDED: usize = 6;
 /// The minimum angle aimed at without another wish, in degrees.
 const FLOOR: f64 = 35.0;
 

@@ -1,6 +1,6 @@
 //! The degrees that vertices on features may have: in each sector between two curves, and in all.
 
-use crate::array_mesh::{ArrayMesh, Kind};
+use crate::array_mesh::{ArrayMesh, Kind, NONE};
 use crate::surface::reference::{CurveLabel, OnSurface};
 use glam::DVec3;
 use std::ops::RangeInclusive;
@@ -24,7 +24,9 @@ pub(crate) struct Sectors {
 /// A good angle at a corner is at least this, in degrees: more triangles do not fit into a sector.
 const LEAST_ANGLE: f64 = 28.0;
 /// The most triangles at a vertex on the boundary, where its sectors allow so few.
-const MOST_ON_BOUNDARY: u32 = 4;
+pub(crate) const MOST_ON_BOUNDARY: u32 = 4;
+/// Curves whose edges turn by more than this angle, in degrees, divide sectors for all who look.
+const SHARP: f64 = 40.0;
 /// No vertex has fewer triangles all around it.
 const LEAST_AROUND: u32 = 3;
 /// The greatest angle that a sector's triangles should have, in degrees.
@@ -50,12 +52,39 @@ impl SurfaceSector {
 impl Sectors {
     /// The sectors of a vertex as they are in the mesh.
     pub(crate) fn of(mesh: &ArrayMesh<OnSurface<'_>>, vertex: u32) -> Self {
+        Self::between(mesh, vertex, |_, _| true)
+    }
+
+    /// The sectors between curves that no checker can overlook: those that are sharp, on the boundary or between groups.
+    pub(crate) fn sharp(mesh: &ArrayMesh<OnSurface<'_>>, vertex: u32) -> Self {
+        let surface = &mesh.space.0.surface;
+        let normal = |t: u32| {
+            let [a, b, c] = mesh.corners(t);
+            (b - a).cross(c - a).normalize_or_zero()
+        };
+        Self::between(mesh, vertex, |t, i| {
+            let triangle = &mesh.triangles[t as usize];
+            let other = triangle.neighbours[i];
+            let group = |t: u32| surface.group(mesh.triangles[t as usize].patch);
+            other == NONE
+                || group(t) != group(other)
+                || normal(t).dot(normal(other)) < libm::cos(SHARP.to_radians())
+        })
+    }
+
+    /// The sectors of a vertex between those edges of curves that count, each as a triangle and the corner opposite.
+    fn between(
+        mesh: &ArrayMesh<OnSurface<'_>>,
+        vertex: u32,
+        counts: impl Fn(u32, usize) -> bool,
+    ) -> Self {
         let mut star = Vec::new();
         let is_closed = mesh.star(vertex, &mut star);
-        // The label of the edge before each triangle.
+        // Whether an edge that counts lies before each triangle.
         let before = |t: u32| {
             let triangle = &mesh.triangles[t as usize];
-            triangle.labels[(triangle.corner(vertex) + 2) % 3] != CurveLabel::default()
+            let i = (triangle.corner(vertex) + 2) % 3;
+            triangle.labels[i] != CurveLabel::default() && counts(t, i)
         };
         let first = star.iter().position(|t| before(*t)).unwrap_or(0);
         star.rotate_left(first);
@@ -74,21 +103,26 @@ impl Sectors {
         Self { sectors, is_closed }
     }
 
-    /// By how much the numbers of triangles are out of their ranges, and how far from the best ones.
-    pub(crate) fn degree(&self, kind: Kind, interior: &RangeInclusive<u32>) -> (u32, f64) {
-        let (mut excess, mut soft) = (0, 0.0);
+    /// By how much the numbers of triangles are out of their ranges, and how far from the best ones. `total`: how many there
+    /// may be in all.
+    pub(crate) fn degree(&self, kind: Kind, total: &RangeInclusive<u32>) -> (u32, f64) {
+        let (mut fewer, mut more, mut needed, mut soft) = (0, 0, 0, 0.0);
         for sector in &self.sectors {
             let range = if kind == Kind::Curve { sector.range_on_curve() } else { sector.range() };
-            excess += beyond(sector.triangles, &range);
+            needed += range.start();
+            fewer += range.start().saturating_sub(sector.triangles);
+            more += sector.triangles.saturating_sub(*range.end());
             let off = (f64::from(sector.triangles) - sector.angle / 60.0).abs() - 0.5;
             soft += off.max(0.0);
         }
-        let total = self.sectors.iter().map(|sector| sector.triangles).sum();
+        // Where all sectors together may not have what each needs for good angles, some have fewer.
+        let excess = fewer.saturating_sub(needed.saturating_sub(*total.end())) + more;
+        let count = self.sectors.iter().map(|sector| sector.triangles).sum();
         // One sector has all the triangles: they do not count twice.
         let excess = match (self.is_closed, self.sectors.len()) {
-            (true, 1) => beyond(total, &self.total(kind, interior)),
-            (true, _) => excess + beyond(total, &self.total(kind, interior)),
-            (false, _) => excess.max(beyond(total, &self.on_boundary())),
+            (true, 1) => beyond(count, total),
+            (true, _) => excess + beyond(count, total),
+            (false, _) => excess.max(beyond(count, total)),
         };
         (excess, soft)
     }
@@ -113,32 +147,25 @@ impl Sectors {
         let counts = self.sectors.iter().map(|sector| {
             // A hair less: sectors are sums of rounded angles.
             let low = libm::ceil(sector.angle / (180.0 - 2.0 * least) - 1e-9).max(1.0);
-            [low, libm::floor(sector.angle / least + 1e-9)].map(|count| count as u32)
+            let high = libm::floor(sector.angle / least + 1e-9).max(low);
+            [low, high].map(|count| count as u32)
         });
         let all = counts.fold([0, 0], |[low, high], count| [low + count[0], high + count[1]]);
         all.map(|count| if self.is_closed { count.max(LEAST_AROUND) } else { count })
     }
 
-    /// How many triangles a vertex on the boundary may have: 4, which have 5 edges, unless its sectors need more.
-    pub(crate) fn on_boundary(&self) -> RangeInclusive<u32> {
-        let needed: u32 = self.sectors.iter().map(|sector| *sector.range().start()).sum();
-        1..=needed.max(MOST_ON_BOUNDARY)
-    }
-
-    /// How many triangles a vertex may have that is not on the boundary.
-    pub(crate) fn total(&self, kind: Kind, interior: &RangeInclusive<u32>) -> RangeInclusive<u32> {
-        if kind == Kind::Curve {
-            return interior.clone();
+    /// How many triangles a corner with these sectors may have in all: as many as other vertices, unless it is proven that no
+    /// mesh without an angle below `floor`, in degrees, has so many.
+    pub(crate) fn total(&self, interior: &RangeInclusive<u32>, floor: f64) -> RangeInclusive<u32> {
+        let [low, high] = self.allowed(floor);
+        if !self.is_closed {
+            return 1..=low.max(MOST_ON_BOUNDARY);
         }
-        let fit = |sector: &SurfaceSector| libm::floor(sector.angle / 35.0).max(1.0) as u32;
-        let fitting: u32 = self.sectors.iter().map(fit).sum();
         // At a needle's tip each more makes all of them thinner.
-        if self.sectors.len() == 1 && fitting < LEAST_AROUND {
+        if self.sectors.len() == 1 && self.sectors[0].angle < f64::from(LEAST_AROUND) * floor {
             return LEAST_AROUND..=LEAST_AROUND;
         }
-        let needed: u32 = self.sectors.iter().map(|sector| *sector.range().start()).sum();
-        let least = (*interior.start()).min(fitting).max(LEAST_AROUND);
-        least..=(*interior.end()).max(needed)
+        (*interior.start()).min(high).max(LEAST_AROUND)..=(*interior.end()).max(low)
     }
 }
 
@@ -185,7 +212,13 @@ mod tests {
     #[test]
     fn degrees_count_by_sector_and_in_all() {
         let excess = |kind, list: &[(f64, u32)], is_closed| {
-            sectors(list, is_closed).degree(kind, &(5..=7)).0
+            let sectors = sectors(list, is_closed);
+            let total = match (kind, is_closed) {
+                (Kind::Curve, true) => 5..=7,
+                (Kind::Curve, false) => 1..=MOST_ON_BOUNDARY,
+                _ => sectors.total(&(5..=7), 35.0),
+            };
+            sectors.degree(kind, &total).0
         };
         // On a curve: 2 to 4 triangles on each side, 5 to 7 in all.
         assert_eq!(excess(Kind::Curve, &[(180.0, 3), (180.0, 3)], true), 0);
@@ -211,12 +244,52 @@ mod tests {
     }
 
     #[test]
+    fn corners_have_another_degree_only_where_it_is_proven() {
+        let total = |list: &[(f64, u32)], is_closed| {
+            sectors(list, is_closed).total(&(5..=7), 35.0).into_inner()
+        };
+        // Good angles ask for 8 triangles, 35 degrees for 7 or 8.
+        assert_eq!(total(&[(109.0, 2), (120.0, 2), (168.0, 2), (120.0, 2)], true), (5, 7));
+        assert_eq!(total(&[(111.0, 2), (120.0, 2), (168.0, 2), (120.0, 2)], true), (5, 8));
+        assert_eq!(total(&[(60.0, 1); 3], true), (3, 7));
+        // A sector of 20 degrees has a triangle, too.
+        assert_eq!(total(&[(71.0, 1), (20.0, 1), (71.0, 1)], true), (5, 7));
+        assert_eq!(total(&[(109.0, 2), (20.0, 1), (150.0, 2)], false), (1, 4));
+        assert_eq!(total(&[(111.0, 2), (20.0, 1), (150.0, 2)], false), (1, 5));
+        // One sector may do with one triangle less then, but no more than one.
+        let excess = |counts: [u32; 4]| {
+            let angles = [109.0, 120.0, 168.0, 120.0];
+            let list: Vec<(f64, u32)> = angles.into_iter().zip(counts).collect();
+            sectors(&list, true).degree(Kind::Fixed, &(5..=7)).0
+        };
+        assert_eq!([[2, 2, 2, 2], [1, 2, 2, 2], [1, 1, 2, 2]].map(excess), [1, 0, 1]);
+    }
+
+    #[test]
+    fn curves_that_turn_little_divide_no_sectors_for_the_proof() {
+        let reference = reference("cube", 2.0);
+        let mut mesh = mesh(&reference);
+        let inside = mesh.vertices.iter().position(|v| v.kind == Kind::Free).unwrap() as u32;
+        let mut star = Vec::new();
+        mesh.star(inside, &mut star);
+        for t in [star[0], star[2]] {
+            let triangle = mesh.triangles[t as usize];
+            let other = triangle.vertices[(triangle.corner(inside) + 1) % 3];
+            mesh.lock(inside, other, CurveLabel(0)).unwrap();
+        }
+        assert_eq!(Sectors::of(&mesh, inside).sectors.len(), 2);
+        assert_eq!(Sectors::sharp(&mesh, inside).sectors.len(), 1);
+        let corner = mesh.vertices.iter().position(|v| v.kind == Kind::Fixed).unwrap() as u32;
+        assert_eq!(Sectors::sharp(&mesh, corner).sectors.len(), 3);
+    }
+
+    #[test]
     fn sectors_allow_what_their_angles_do() {
         // The corner of a cube; eight curves; a tip.
         assert_eq!(sectors(&[(90.0, 1); 3], true).allowed(35.0), [3, 6]);
         assert_eq!(sectors(&[(45.0, 1); 8], true).allowed(35.0), [8, 8]);
         assert_eq!(sectors(&[(79.0, 3)], true).allowed(35.0), [3, 3]);
-        assert_eq!(sectors(&[(30.0, 1), (180.0, 3)], true).allowed(35.0), [3, 5]);
+        assert_eq!(sectors(&[(30.0, 1), (180.0, 3)], true).allowed(35.0), [3, 6]);
         assert_eq!(sectors(&[(180.0, 3)], false).allowed(36.0), [2, 5]);
     }
 

@@ -52,7 +52,10 @@ pub(crate) fn work_mesh<'a>(
         if mesh.vertices[v as usize].kind == Kind::Fixed {
             let limit = Sectors::of(&mesh, v).limit();
             mesh.vertices[v as usize].goal = mesh.goals.len() as u32;
-            mesh.goals.push(Goal { limit, ..weights.goal_inside() }.aimed());
+            let total = Sectors::sharp(&mesh, v).total(&weights.interior, weights.floor);
+            let (least, triangles) = (*total.start(), *total.end());
+            let goal = Goal { limit, least, triangles, wanted: triangles, ..weights.goal_inside() };
+            mesh.goals.push(goal.aimed());
         }
     }
     Ok(mesh)
