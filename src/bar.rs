@@ -3,7 +3,7 @@
 //! The bar shows only on a terminal, and only after the first second. It disappears
 //! when the work ends or is interrupted.
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
+use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use mindeg_answers::names::shown;
 use mindeg_files::READING;
 use mindeg_mesh::{Progress, Step};
@@ -70,7 +70,7 @@ impl Bar {
             state.set_pos(0);
             state.set_len(total);
         });
-        self.bar.reset_eta();
+        self.bar.reset_elapsed();
     }
 
     /// Does work that reports its progress, shows each stage and never cancels.
@@ -122,13 +122,20 @@ impl Drop for Bar {
     }
 }
 
+/// The time left, if all goes on as it has gone on the whole: parts of one stage take very different times, and a rate of the
+/// last ones would say hours after a long part.
+fn rest(state: &ProgressState) -> Duration {
+    let share = f64::from(state.fraction());
+    if share > 0.0 { state.elapsed().mul_f64((1.0 - share) / share) } else { Duration::ZERO }
+}
+
 fn style(name: String, unit: Unit) -> ProgressStyle {
     let template = match unit {
         Unit::Bytes => {
             "{name} {wide_bar} {decimal_bytes} of {decimal_total_bytes}, \
-             {decimal_bytes_per_sec}, {eta} left"
+             {decimal_bytes_per_sec}, {rest} left"
         }
-        Unit::Parts => "{name} {wide_bar} {percent}%{million}, {eta} left",
+        Unit::Parts => "{name} {wide_bar} {percent}%{million}, {rest} left",
         Unit::Time => "{name} {spinner} {elapsed}",
     };
     let millions = |count: f64, out: &mut dyn fmt::Write| {
@@ -139,6 +146,9 @@ fn style(name: String, unit: Unit) -> ProgressStyle {
         .expect("the templates are well formed")
         .with_key("name", move |_: &ProgressState, out: &mut dyn fmt::Write| {
             let _ = out.write_str(&shown(&name));
+        })
+        .with_key("rest", |state: &ProgressState, out: &mut dyn fmt::Write| {
+            let _ = write!(out, "{:#}", HumanDuration(rest(state)));
         })
         .with_key("million", move |state: &ProgressState, out: &mut dyn fmt::Write| {
             let total = state.len().unwrap_or_default();

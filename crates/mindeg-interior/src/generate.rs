@@ -165,9 +165,10 @@ fn generate_of(
         if about > 2.0 * options.wanted.max_points() as f64 {
             return Err(InteriorError::TooManyPoints { max: options.wanted.max_points() });
         }
-        let start = Start { outline, stars, goals, breaklines: &breaklines, field: &field };
+        let start = Start { outline, stars, goals, breaklines: &breaklines, field: &field, about };
         let end = end_of_try(index, tries.len(), about);
-        stage.section(end_of_start(&stage, end, about));
+        let stays = outline.points().len() + breaklines.points.len();
+        stage.section(end_of_start(&stage, end, about, stays));
         let mut mesh =
             start.mesh(seed.spacing, floor, options.wanted.max_points(), None, &mut stage)?;
         let own = Begun::new(*prefer, seed, &mesh);
@@ -236,9 +237,17 @@ pub(crate) fn end_of_try(index: usize, tries: usize, points: f64) -> f64 {
     first + (1.0 - first) * index as f64 / (tries - 1).max(1) as f64
 }
 
-/// The share of all work at which smoothing ends and places begin to be mended, which takes longest in small meshes.
-pub(crate) fn end_of_start(stage: &Stage<'_>, end: f64, points: f64) -> f64 {
-    let share = if points > MANY_POINTS { 0.9 } else { 0.2 };
+/// With more of its points on lines and the boundary than this share, a mesh has many places to mend.
+const MANY_STAY: f64 = 0.05;
+
+/// The share of all work at which smoothing ends and places begin to be mended, which takes longest in small meshes and in maps. `stays`: how
+/// many points stay where they are.
+pub(crate) fn end_of_start(stage: &Stage<'_>, end: f64, points: f64, stays: usize) -> f64 {
+    let share = match points > MANY_POINTS {
+        true if stays as f64 > MANY_STAY * points => 0.5,
+        true => 0.9,
+        false => 0.2,
+    };
     stage.share() + share * (end - stage.share())
 }
 

@@ -82,7 +82,7 @@ pub fn improve(
         let Some(mut mesh) = mesh else { break };
         let weights = if pairs { Weights::pairs } else { Weights::single };
         let end = end_of_try(index, 3, count);
-        stage.section(end_of_start(&stage, end, count));
+        stage.section(end_of_start(&stage, end, count, start.boundary.points().len()));
         let floor = floor(options);
         let all = Pairs { firsts: 12, most: usize::MAX, ..Pairs::FOR_A_TRY };
         optimise(&mut mesh, &weights(options, floor), pairs.then_some(all), &mut stage)?;
@@ -200,6 +200,7 @@ impl Input {
             goals: &self.mesh.goals,
             breaklines: &self.lines,
             field: &field,
+            about: f64::INFINITY,
         };
         let packed = match start.mesh(0.75, floor, options.wanted.max_points(), None, stage) {
             Err(InteriorError::Cancelled(cancelled)) => return Err(cancelled.into()),

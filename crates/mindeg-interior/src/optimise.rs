@@ -52,7 +52,7 @@ pub(crate) fn smooth_packed<S: Manifold>(
     sweeper: &mut Sweeper<S::Vector>,
     stage: &mut Stage<'_>,
 ) -> Result<(), Cancelled> {
-    stage.reach(0.3)?;
+    stage.reach(0.4)?;
     sweeper.run(mesh, Power::Two, 10, stage)?;
     stage.reach(0.5)?;
     sweeper.run(mesh, Power::Four, 5, stage)

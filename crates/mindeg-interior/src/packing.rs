@@ -28,6 +28,8 @@ pub(crate) struct Ground<'a> {
     pub(crate) lines: &'a Breaklines,
     pub(crate) pieces: &'a [Piece],
     pub(crate) tree_of_pieces: EdgeTree,
+    /// About how many points there will be, of which the share tells that is done.
+    pub(crate) about: f64,
     /// The least distance of two points, in sizes.
     pub(crate) spacing: f64,
     /// The minimum angle that fans aim at, in degrees.
@@ -49,6 +51,9 @@ struct Candidate {
     /// The direction of the packing here.
     direction: DVec2,
 }
+
+/// The share of the work on a start that packing takes.
+const PACKED: f64 = 0.3;
 
 /// More triangles than this are of no use in any fan, nearly.
 const MOST_SPOKES: u32 = 64;
@@ -94,7 +99,7 @@ impl Ground<'_> {
                 return Err(InteriorError::TooManyPoints { max: self.max_points });
             }
             if sizes.len() % (1 << 14) == 0 {
-                stage.still()?;
+                stage.reach(PACKED * (sizes.len() as f64 / self.about).min(1.0))?;
             }
             surround(place, size, candidate.direction, &mut queue);
         }

@@ -141,12 +141,13 @@ pub(crate) fn redraw(
         if wrong.is_empty() || is_hard && wrong.len() > MOST_HARD {
             break;
         }
+        let within = stage.within();
         let draw = |disc: &Disc| {
             let before = Worth::of(&disc.mesh, weights, enough);
             let mut random = Random::new(seed << 32 | index as u64);
             let (found, moves) = redrawn(&disc.mesh, weights, effort, &mut random);
             let Some(mut found) = found else { return Ok((None, moves)) };
-            let mut stage = stage.within();
+            let mut stage = within.clone();
             if turn == Turn::First && index < HASTY {
                 Sweeper::new().run(&mut found, Power::Two, 5, &mut stage)?;
                 Sweeper::new().run(&mut found, Power::Four, 5, &mut stage)?;
@@ -160,6 +161,11 @@ pub(crate) fn redraw(
         };
         let mut ahead = Ahead::new();
         for at in 0..wrong.len() {
+            if turn == Turn::First {
+                // All rounds take about as long.
+                let rounds = index as f64 + at as f64 / wrong.len() as f64;
+                stage.reach(rounds / ROUNDS.len() as f64)?;
+            }
             stage.still()?;
             if left == 0 {
                 return Ok(());

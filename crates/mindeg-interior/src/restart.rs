@@ -75,6 +75,7 @@ impl<'a> Restart<'a> {
             goals: &self.goals,
             breaklines: &self.breaklines,
             field: &field,
+            about: f64::INFINITY,
         };
         let packed = start.mesh(phase[0], self.weights.floor, MOST_POINTS, spokes, stage).ok()?;
         let mut vertices: Vec<Vertex> = self.disc.vertices.clone();

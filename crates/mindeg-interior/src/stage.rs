@@ -28,6 +28,15 @@ impl<'a> Stage<'a> {
         self.section = [self.share(), end];
     }
 
+    /// Work that takes this share of the section, as a section of its own.
+    pub(crate) fn part<T>(&mut self, share: f64, work: impl FnOnce(&mut Self) -> T) -> T {
+        let (section, end) = (self.section, self.section[1]);
+        self.section(self.share() + share * (end - self.share()).max(0.0));
+        let done = work(self);
+        self.section = section;
+        done
+    }
+
     /// The share of the whole that is done.
     pub(crate) fn share(&self) -> f64 {
         self.done as f64 / PARTS as f64
@@ -66,5 +75,22 @@ impl<'a> Stage<'a> {
     /// Work goes on.
     pub(crate) fn still(&self) -> Result<(), Cancelled> {
         self.progress.report(self.name, self.done, PARTS)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_part_ends_within_its_section() {
+        let mut stage = Stage::new(Progress::NONE, "work");
+        stage.section(0.8);
+        stage.part(0.5, |part| part.reach(1.0)).unwrap();
+        assert_eq!(stage.share(), 0.4);
+        stage.reach(0.75).unwrap();
+        assert_eq!(stage.share(), 0.6);
+        stage.reach(1.0).unwrap();
+        assert_eq!(stage.share(), 0.8);
     }
 }

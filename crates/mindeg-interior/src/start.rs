@@ -21,6 +21,8 @@ pub(crate) struct Start<'a> {
     pub(crate) goals: &'a [Goal],
     pub(crate) breaklines: &'a Breaklines,
     pub(crate) field: &'a SizeField,
+    /// About how many points there will be; infinite where nobody asks for the share that is done.
+    pub(crate) about: f64,
 }
 
 impl Start<'_> {
@@ -50,6 +52,7 @@ impl Start<'_> {
             lines: self.breaklines,
             tree_of_pieces: EdgeTree::of_items(items.collect()),
             pieces: &pieces,
+            about: self.about,
             spacing,
             fan_angle: floor + 3.0,
             spokes,
@@ -77,7 +80,7 @@ impl Start<'_> {
         let points: Vec<DVec2> = vertices.iter().map(|v| v.at).collect();
         let inner = &points[self.outline.points().len()..];
         let edges = &self.breaklines.edges;
-        let mut triangles = stage.through(0.3, |progress| {
+        let mut triangles = stage.through(0.4, |progress| {
             mindeg_delaunay::triangles(self.outline, inner, edges, progress)
         })?;
         // Near each other in the plane, near each other in memory.
