@@ -89,6 +89,7 @@ function assertAllDiffer(before, after) {
   before.forEach((picture, place) => assert.notEqual(picture, after[place], `picture ${place}`));
 }
 
+mindeg("compare", bundled("wing-panel"), "--interior", "-o", "inside.html");
 const written = mindeg("compare", bundled("unequal-hexagon"), "-o", "hexagon.html", "-o", "hexagon.json", "-o", "hexagon.md");
 assert.equal(written.status, 0, written.stderr);
 const report = JSON.parse(readFileSync(page("hexagon.json"), "utf8"));
@@ -166,7 +167,7 @@ const SCREENS = [390, 800, 1400].flatMap((width) => ["light", "dark"].map((color
 test("axe finds nothing serious, on any screen, light and dark", async () => {
   assert.equal(mindeg("compare", bundled("wing-panel"), bundled("slender-fin"), "-o", "pages/").status, 0);
   assert.equal(mindeg("tradeoff", bundled("wing-panel"), "-o", "curve.html").status, 0);
-  for (const name of ["hexagon.html", "pages/index.html", "pages/slender-fin.html", "curve.html"]) {
+  for (const name of ["hexagon.html", "inside.html", "pages/index.html", "pages/slender-fin.html", "curve.html"]) {
     for (const { width, colorScheme } of SCREENS) {
       // The page's own policy keeps scripts of others out, and axe is one.
       const opened = await unfold(await open(name, { viewport: { width, height: 900 }, colorScheme, bypassCSP: true }));
@@ -181,7 +182,7 @@ test("axe finds nothing serious, on any screen, light and dark", async () => {
 });
 
 test("no table is cut off on any screen or on paper", async () => {
-  for (const name of ["hexagon.html", "pages/index.html", "curve.html"]) {
+  for (const name of ["hexagon.html", "inside.html", "pages/index.html", "curve.html"]) {
     for (const [width, media] of [[390, "screen"], [800, "screen"], [1400, "screen"], [720, "print"]]) {
       const opened = await open(name, { viewport: { width, height: 900 } });
       await opened.emulateMedia({ media });
