@@ -19,7 +19,7 @@ use mindeg_answers::interior::{
 };
 use mindeg_answers::limit::{Lifting, LimitAnswer};
 use mindeg_answers::names::{region_count, shown};
-use mindeg_answers::numbers::{count, four_digits};
+use mindeg_answers::numbers::{count, four_digits, triangles};
 use mindeg_answers::sizes::{coarse_sides, sizes};
 use mindeg_files::{Input, PolygonFile};
 use serde::Serialize;
@@ -339,11 +339,11 @@ fn text(title: &str, found: &InteriorMesh, lifting: &Lifting, summary: &Summary<
     let report = &found.report;
     let mut lines = vec![
         format!(
-            "{}: {} boundary and {} interior vertices, {} triangles, {}",
+            "{}: {} boundary and {} interior vertices, {}, {}",
             title,
             summary.boundary_vertices,
             report.interior_points,
-            report.triangles,
+            triangles(report.triangles as u64),
             angles_and_degrees(report),
         ),
         lifting.text(),

@@ -8,7 +8,7 @@ use mindeg_mesh::quality::TriangleQuality;
 use serde::Serialize;
 
 use crate::names::{part_name, region_count, shown};
-use crate::numbers::{percent, steady_angle};
+use crate::numbers::{self, percent, steady_angle};
 
 /// A mesh of boundary points; angles are in degrees. Degrees are total: edges outside the domain count.
 #[derive(Clone, Debug, Serialize)]
@@ -206,9 +206,10 @@ fn in_line(
     angles: [f64; 2],
 ) -> String {
     let [min, max] = angles.map(steady_angle);
+    let triangles = numbers::triangles(triangles);
     let least_is = if is_proven { "least possible" } else { "no mesh has less than" };
     format!(
-        "{vertices} vertices, {triangles} triangles, maximum {total}degree {max_degree} ({least_is} {least}), \
+        "{vertices} vertices, {triangles}, maximum {total}degree {max_degree} ({least_is} {least}), \
          angles {min} to {max}"
     )
 }

@@ -122,6 +122,21 @@ pub fn steady_percent(share: f64) -> String {
     }
 }
 
+/// How many triangles, with the word for one or many.
+///
+/// ```
+/// use mindeg_answers::numbers::triangles;
+///
+/// assert_eq!([1_u32, 2].map(triangles), ["1 triangle", "2 triangles"]);
+/// ```
+#[must_use]
+pub fn triangles(count: impl Into<u64>) -> String {
+    match count.into() {
+        1 => "1 triangle".to_owned(),
+        count => format!("{count} triangles"),
+    }
+}
+
 /// A whole number, with narrow spaces between groups of three digits from five digits up.
 ///
 /// ```
