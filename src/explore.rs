@@ -9,7 +9,10 @@ use crate::interrupt::{SESSION, clean_up_on_interrupt};
 use crate::provenance::domain_words;
 use crate::standard_output::print;
 use crate::terminal::say;
-use mindeg_explore::{KnownFiles, REPAIRED, Server, ServerError, Setup, Source, presets, sources};
+use mindeg::Domain;
+use mindeg_explore::{
+    KnownFiles, MAX_BYTES, REPAIRED, Server, ServerError, Setup, Source, presets, sources,
+};
 use mindeg_files::{Input, Wanted};
 use std::fs;
 use std::path::Path;
@@ -17,10 +20,14 @@ use std::path::Path;
 pub(crate) fn run(arguments: &ExploreArguments) -> Result<(), Failure> {
     let mut known = KnownFiles::default();
     let start = start(&arguments.domain, &mut known)?;
+    let surface = match &start {
+        Some(source) if source.is_solid => surface(&arguments.domain)?,
+        _ => Vec::new(),
+    };
     add_presets(&mut known);
     clean_up_on_interrupt()?;
     let purpose = arguments.purpose.purpose;
-    let setup = Setup { port: arguments.port.unwrap_or(0), start, known, purpose };
+    let setup = Setup { port: arguments.port.unwrap_or(0), start, surface, known, purpose };
     let failed = |error: ServerError| Failure::Io(error.to_string());
     let server = Server::new(setup).map_err(failed)?;
     let address = server.address();
@@ -41,28 +48,86 @@ fn start(arguments: &DomainArguments, known: &mut KnownFiles) -> Result<Option<S
         // Without options, rings that cross are repaired, too.
         Some(file) if words.len() == 1 => of_file(file, &words, known)?,
         _ => {
-            let mut domains = subject(arguments, Wanted::Domain, &Bar::new(true))?.parts()?.domains;
+            let (mut domains, repair) = domains(arguments)?;
             let count = domains.len();
             let mut source = Source::of(&domains.remove(0));
-            if let (1, Some(domain)) = (count, &source.domain) {
+            if repair != Repair::None {
+                source.notes.insert(0, REPAIRED.to_owned());
+            }
+            let more = (repair == Repair::Alone).then(|| "--repair".to_owned());
+            let words: Vec<String> = words.into_iter().chain(more).collect();
+            // Together, not every mesh of the command line is repaired.
+            if let (1, true, Some(domain)) = (count, repair != Repair::Together, &source.domain) {
                 known.add(&words, domain.get());
             }
             tell_of_others(&mut source, count);
             source
         }
     };
-    match source.message {
+    match &source.message {
+        Some(_) if source.is_solid => Ok(Some(source)),
         Some(problem) => Err(Failure::Input(format!("{}: {problem}", source.name))),
         None => Ok(Some(source)),
     }
 }
 
-/// The first domain of a file.
+/// How polygons were repaired unasked.
+#[derive(Clone, Copy, PartialEq)]
+enum Repair {
+    None,
+    /// Each alone.
+    Alone,
+    /// As regions of one map.
+    Together,
+}
+
+/// The domains that the arguments describe, repaired where they are none otherwise.
+fn domains(arguments: &DomainArguments) -> Result<(Vec<Domain>, Repair), Failure> {
+    let read = |arguments: &DomainArguments| {
+        Ok(subject(arguments, Wanted::Domain, &Bar::new(true))?.parts()?.domains)
+    };
+    let error = match read(arguments) {
+        Ok(domains) => return Ok((domains, Repair::None)),
+        Err(error) => error,
+    };
+    let mut repairing = arguments.clone();
+    if arguments.file.is_none() || std::mem::replace(&mut repairing.options.outline.repair, true) {
+        return Err(error);
+    }
+    let repaired = [Repair::Alone, Repair::Together].into_iter().find_map(|repair| {
+        repairing.options.outline.together = repair == Repair::Together;
+        Some((read(&repairing).ok()?, repair))
+    });
+    repaired.ok_or(error)
+}
+
+/// The bytes of the file of a surface, unless they are too many for the page.
+fn surface(arguments: &DomainArguments) -> Result<Vec<u8>, Failure> {
+    let Some(path) = &arguments.file else { return Ok(Vec::new()) };
+    let bytes = fs::read(path)
+        .map_err(|error| Failure::Io(format!("cannot read {}: {error}", path.display())))?;
+    if bytes.len() > MAX_BYTES {
+        return Err(Failure::Input(format!(
+            "{} has {} MB; the page takes {}; mindeg view shows any surface",
+            path.display(),
+            bytes.len().div_ceil(1 << 20),
+            MAX_BYTES >> 20
+        )));
+    }
+    Ok(bytes)
+}
+
+/// The first domain of a file, or the surface in it.
 fn of_file(path: &Path, words: &[String], known: &mut KnownFiles) -> Result<Source, Failure> {
     let input = Input::of(path);
     let name = input.name();
-    let sources = sources(&SESSION, &input)?;
+    let mut sources = sources(&SESSION, &input)?;
     let count = sources.len();
+    if let Some(at) = sources.iter().position(|source| source.is_solid) {
+        // The page asks for it under the name of the file alone.
+        let name = path.file_name().map_or(name, |name| name.to_string_lossy().into_owned());
+        return Ok(Source { name, ..sources.swap_remove(at) });
+    }
     let problem = sources.first().and_then(|source| source.message.clone());
     let Some(mut source) = sources.into_iter().find(|source| source.domain.is_some()) else {
         let problem = problem.unwrap_or_else(|| "it holds no polygon".to_owned());

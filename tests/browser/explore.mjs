@@ -151,6 +151,132 @@ test("from any example a newcomer leaves within a minute with the mesh of the ad
   await page.context().close();
 });
 
+/**
+ * Notes what the page claims at each frame: captions with figures of the first picture, as the number of boundary points and
+ * of points inside of the mesh that is drawn under it, and the cards of the advice.
+ */
+const watch = (page) => page.evaluate(async () => {
+  const { shown } = await import("/page/state.js");
+  window.claims = [];
+  const look = () => {
+    const [figures, words, name] = [".figures", ".words-of", "h3"].map((part) => document.querySelector(`.mesh ${part}`).textContent);
+    window.claims.push({
+      title: document.querySelector("#title").textContent, name, figures, words, facts: document.querySelector("#facts").textContent,
+      cards: [...document.querySelectorAll(".purpose .figures")].map((it) => it.textContent), advice: document.querySelector("#advice").textContent,
+      domain: shown.domain?.name ?? "",
+    });
+    if (window.claims.length < 3000) requestAnimationFrame(look);
+  };
+  look();
+});
+
+test("no figures stand under points inside but those of a mesh with points inside, also while a corner is dragged", async () => {
+  const page = await openNew();
+  await watch(page);
+  // Opened: a square of 160 points, whose mesh with points inside has many more.
+  const domain = { name: "many", rectangle: { width: 4, height: 4 }, sides: Array.from({ length: 4 }, () => ({ intervals: 40 })) };
+  await page.locator("#file").setInputFiles({ name: "many.json", mimeType: "application/json", buffer: Buffer.from(JSON.stringify(domain)) });
+  await page.waitForFunction(() => document.querySelector("#title").textContent === "many");
+  await answered(page);
+  const [, , corner] = await cornerPlaces(page);
+  await page.mouse.move(...corner);
+  await page.mouse.down();
+  for (let step = 1; step <= 8; step++) {
+    await page.mouse.move(corner[0] - 6 * step, corner[1] + 6 * step);
+    await page.waitForTimeout(60);
+  }
+  await page.mouse.up();
+  await answered(page);
+  const claims = (await page.evaluate(() => window.claims)).filter(({ title }) => title === "many");
+  const told = claims.filter(({ name, figures }) => name.startsWith("Points inside") && /\d°/.test(figures));
+  assert.ok(told.length > 5, `${told.length} claims`);
+  for (const { words, figures } of told) {
+    // Without points inside there are 160 vertices.
+    const isInside = /^160 boundary and \d+ interior vertices/.test(words) || Number(words.match(/^(\d+) vertices/)?.[1]) > 160;
+    assert.ok(isInside && !words.includes("No mesh of these points"), `${figures} ${words}`);
+  }
+  assert.match(claims.at(-1).words, /boundary and \d+ interior vertices/);
+  await page.context().close();
+});
+
+test("of another domain no figures are shown until its own are there", async () => {
+  const page = await openNew();
+  const old = await page.locator(".purpose .figures").allTextContents();
+  const advice = await text(page, "#advice");
+  assert.ok(old.every((it) => /°/.test(it)), old.join(" "));
+  await watch(page);
+  await page.selectOption("#presets", "plate-with-holes");
+  await page.waitForFunction(() => document.querySelector("#title").textContent === "plate-with-holes");
+  await answered(page);
+  const claims = (await page.evaluate(() => window.claims)).filter(({ title }) => title === "plate-with-holes");
+  assert.ok(claims.some(({ cards }) => cards.every((it) => it === "")), "no card waits");
+  for (const claim of claims) {
+    assert.notEqual(claim.advice, advice);
+    for (const [place, card] of claim.cards.entries()) assert.notEqual(card, old[place]);
+  }
+  assert.ok(claims.at(-1).cards.every((it) => /°/.test(it)));
+  await page.context().close();
+});
+
+test("where no points can be put inside, the reason is told in a sentence", async () => {
+  const page = await openNew();
+  // The angle is proven to be too large.
+  const domain = { name: "steep", polygon: { corners: [[0, 0], [4, 0], [4, 1]] }, size: 0.5, interior: { target_angle: 40 } };
+  await page.locator("#file").setInputFiles({ name: "steep.json", mimeType: "application/json", buffer: Buffer.from(JSON.stringify(domain)) });
+  await page.waitForFunction(() => document.querySelector("#title").textContent === "steep");
+  await answered(page);
+  assert.equal(await text(page, "[data-purpose=solver] .figures"), "no mesh");
+  assert.match(await text(page, "#advice"), /Points inside cannot be put here: .*40/);
+  await page.context().close();
+});
+
+test("refusals speak of the page's things, and no words of options that it lacks", async () => {
+  const page = await openNew();
+  const said = await page.evaluate(async () => {
+    const { domainTrouble } = await import("/page/show.js");
+    const at = (message, path) => domainTrouble({ message, path });
+    return [at("line 1, column 60, holes[3].sides[0]: 0 intervals", "holes[3].sides[0]"), at("a side is too short", "sides[2].spacing"),
+      at("interior.sizes[0].from: no side is so called", null), at("it is 3.5 m [2]", null)];
+  });
+  assert.deepEqual(said, ["side 1 of hole 4: 0 intervals", "a side is too short (at spacing of side 3)", "from of size 1: no side is so called", "it is 3.5 m [2]"]);
+  const domain = { name: "coarse", polygon: { corners: [[0, 0], [1, 0], [0, 1]] }, sides: [{ intervals: 1 }, { intervals: 1 }, { intervals: 1 }] };
+  await page.locator("#file").setInputFiles({ name: "coarse.json", mimeType: "application/json", buffer: Buffer.from(JSON.stringify(domain)) });
+  await page.waitForFunction(() => document.querySelector("#title").textContent === "coarse");
+  await page.locator("[data-purpose=solver]").click();
+  await answered(page);
+  const words = (await page.locator(".words-of").allTextContents()).join(" ");
+  assert.match(words, /No point fits inside/);
+  assert.ok(!words.includes("--"), words);
+  await page.context().close();
+});
+
+test("a file that is started with or dropped is repaired, named after its stem, or shown as a surface", async () => {
+  const page = await openNew();
+  const overlap = "POLYGON((0 0, 5.02 0, 5.02 5, 0 5)) POLYGON((5 0, 10 0, 10 5, 5 5))";
+  await dropFile(page, "fields.wkt", Buffer.from(overlap));
+  await page.waitForFunction(() => document.querySelector("#title").textContent === "fields");
+  await answered(page);
+  assert.match(await facts(page), / 2 regions /);
+  assert.match(await text(page, "#notes"), /they were repaired/);
+  const { path } = await downloaded(page, "#download");
+  assert.match(path, /fields-points-inside\.obj$/);
+  assert.ok(await page.locator("#choose").isVisible());
+  await openTube(page);
+  assert.ok(await page.locator("#choose").isHidden());
+  await page.context().close();
+  const model = await explore(binary, join(domains, "../models/bracket.json"));
+  try {
+    const started = await browser.newPage();
+    await started.goto(model.address);
+    await started.waitForFunction(() => document.querySelectorAll("#solid-meshes .stage[data-drawn]").length === 1);
+    assert.equal(await text(started, "#title"), "bracket.json");
+    assert.match(await text(started, "#solid-words"), /degree/);
+    await started.close();
+  } finally {
+    await model.stop();
+  }
+});
+
 test("of no example are corners, words or figures cut, and the download is beside or below its picture", async () => {
   for (const [width, height] of [[390, 844], [800, 900], [1400, 900]]) {
     const page = await openNew({ viewport: { width, height } });
@@ -304,16 +430,33 @@ test("a surface is turned, meshed anew and filled, and the file is downloaded", 
   await page.mouse.move(box.x + 180, box.y + 120, { steps: 4 });
   await page.mouse.up();
   await another(look, [first]);
+  // What is ticked and what is new is marked: four edges of a loop, and the rims of two lids.
+  const marked = (place) => page.locator("#solid-meshes .stage").nth(place).getAttribute("data-marked");
+  const unmarked = await look();
+  await page.locator("#solid-loops input").first().check();
+  assert.equal(await marked(0), "4");
+  await another(look, [unmarked]);
+  await page.locator("#solid-loops input").first().uncheck();
+  assert.equal(await marked(0), "0");
   for (const [button, title, wanted] of [["#solid-fill", "Filled", /12 triangles/], ["#solid-remesh", "Meshed anew", /minimum angle [2-6]\d/]]) {
     await page.locator(button).click();
     await page.waitForFunction((title) => document.querySelectorAll("#solid-meshes h3")[1]?.textContent === title, title);
     assert.match(await page.locator("#solid-meshes .figures").nth(1).textContent(), wanted);
+    assert.equal(await marked(1), title === "Filled" ? "8" : "0");
     const { path } = await downloaded(page, "#solid-download");
     assert.match(mindeg("inspect", path).stdout, /maximum degree/);
   }
   await page.screenshot({ path: join(work, "solid.png") });
   await choose(page, "figure-1");
   assert.ok(await page.locator(".stage").first().isVisible());
+  await page.context().close();
+});
+
+test("a surface is in the first screen of a phone", async () => {
+  const page = await openNew({ viewport: { width: 390, height: 844 } });
+  await openTube(page);
+  const box = await page.locator("#solid-meshes .stage").first().boundingBox();
+  assert.ok(box.y + box.height <= 844, `it ends ${box.y + box.height} pixels down`);
   await page.context().close();
 });
 
@@ -846,6 +989,13 @@ test("lines, points and regions of a map are drawn with their names", async () =
   await openMap(page);
   assert.match(await facts(page), /^24 boundary vertices/);
   assert.ok((await facts(page)).includes(" · 2 lines · 2 regions · "));
+  const nameless = { ...MAP, name: "a map of two", lines: MAP.lines.map(({ name: _, ...line }) => line) };
+  await page.locator("#file").setInputFiles({ name: "two.json", mimeType: "application/json", buffer: Buffer.from(JSON.stringify(nameless)) });
+  await page.waitForFunction(() => document.querySelector("#title").textContent === "a map of two");
+  await answered(page);
+  const drawn = await page.evaluate(async () => (await import("/page/state.js")).shown.domain.lines.map(({ name }) => name));
+  for (const [place, name] of drawn.entries()) assert.equal(await page.getByLabel(`name of line ${place + 1}`, { exact: true }).getAttribute("placeholder"), name);
+  await openMap(page);
   const all = "gauge, clay, sand, interface, fault";
   assert.deepEqual(await names(), [all, all]);
   const named = await picture(page);

@@ -4,8 +4,8 @@
 //   node frames.mjs MINDEG_BINARY CHROMIUM
 //
 // The 95th percentile of a frame may be 16 ms of the main thread's processor time, with 10,000 triangles in each
-// picture and with the torus, and that of the first mesh 50 ms at 400 boundary points; half of the frames of the torus
-// may be 34 ms apart. Processor time leaves out what other programs take from the machine; wall time is printed
+// picture and with the torus, and that of the first mesh with points inside, of 19,000 triangles, 500 ms at 400 boundary points;
+// half of the frames of the torus may be 34 ms apart. Processor time leaves out what other programs take from the machine; wall time is printed
 // beside it. Without a graphics card the processor draws: with one, frames are no slower. Exit code 1 if a bound is missed.
 
 import { spawnSync } from "node:child_process";
@@ -18,7 +18,7 @@ import { answered, cornerPlaces, explore } from "./explore-server.mjs";
 const [binary, executablePath] = process.argv.slice(2);
 const FRAMES = 240;
 const MOST_WORK = 16;
-const MOST_WAIT = 50;
+const MOST_WAIT = 500;
 const MOST_BETWEEN = 34;
 
 /** A rectangle with so many boundary points; without holes, two triangles fewer. */
@@ -34,16 +34,24 @@ function rectangle(name, points) {
 const quantile = (values, share) => [...values].sort((a, b) => a - b)[Math.min(values.length - 1, Math.floor(share * values.length))];
 const told = (values) => [0.5, 0.95, 1].map((share) => (values.length ? quantile(values, share) : NaN).toFixed(1)).join(" / ");
 
-/** Notes when the page asks and when the worker has drawn a mesh of the answer. */
+/**
+ * Notes when the page asks, and when the worker has drawn a mesh of the answer in the view that is looked at: the first, a draft
+ * perhaps, in `waits`, and the last in `lasts`.
+ */
 function measureAnswers() {
   window.waits = [];
+  window.lasts = [];
   const asked = new Map();
   const { postMessage } = Worker.prototype;
   Worker.prototype.postMessage = function (message, ...more) {
     if (message.kind === "begin") {
       this.addEventListener("message", ({ data }) => {
         if (data.line?.kind !== "mesh" || !asked.has(data.id) || data.line.view !== asked.get(data.id).view) return;
-        window.waits.push(performance.now() - asked.get(data.id).time);
+        const { time, isDrawn } = asked.get(data.id);
+        if (!isDrawn) window.waits.push(performance.now() - time);
+        asked.get(data.id).isDrawn = true;
+        if (!data.line.is_last) return;
+        window.lasts.push(performance.now() - time);
         asked.delete(data.id);
       });
     }
@@ -137,11 +145,14 @@ for (const [points, what] of [[400, "400 boundary points"], [10_002, "10,000 tri
     await page.goto(server.address);
     await page.waitForFunction(() => document.querySelector("#facts").textContent.includes("vertices"));
     await answered(page);
-    await page.evaluate(() => { window.waits = []; });
+    await page.evaluate(() => { window.waits = []; window.lasts = []; });
     const [, , corner] = await cornerPlaces(page);
     judge(what, await traced(page, corner));
     const waits = await page.evaluate(() => window.waits);
     console.log(`  from a drag to its mesh      ${told(waits)} (${waits.length} answers)`);
+    // Only steps that no newer one ended have it.
+    const lasts = await page.evaluate(() => window.lasts);
+    console.log(`  to its last mesh             ${told(lasts)} (${lasts.length} answers)`);
     if (points === 400 && (!waits.length || quantile(waits, 0.95) > MOST_WAIT)) isMissed = true;
     await page.context().close();
   } finally {

@@ -101,6 +101,44 @@ mod page {
         serde_json::from_str(&fs::read_to_string(path).expect("a preset")).expect("JSON")
     }
 
+    /// A surface and a whole model begin in 3D, as they do when they are dropped.
+    #[test]
+    fn a_surface_or_a_whole_model_is_what_the_page_starts_with() {
+        let folder = tempfile::tempdir().expect("a folder");
+        for name in ["bracket.obj", "bracket.json"] {
+            let file = format!("{}/assets/models/{name}", env!("CARGO_MANIFEST_DIR"));
+            let page = Page::open(folder.path(), &[&file]);
+            let start: Value =
+                serde_json::from_slice(&page.ask("GET /api/start", &json!({}))).expect("JSON");
+            assert_eq!((&start["is_solid"], &start["name"]), (&json!(true), &json!(name)));
+            let bytes = page.ask("GET /api/start/file", &json!({}));
+            assert_eq!(bytes, fs::read(&file).expect("a file"));
+        }
+        let run = mindeg(["explore", "--help"]);
+        let words = run.text();
+        assert!(words.contains("a surface in space") && words.contains("whole model"), "{words}");
+    }
+
+    /// What is repaired when it is dropped is repaired when the page starts with it, with options or without.
+    #[test]
+    fn what_touches_or_overlaps_is_repaired_with_a_note() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let overlap = "POLYGON((0 0, 5.02 0, 5.02 5, 0 5)) POLYGON((5 0, 10 0, 10 5, 5 5))";
+        fs::write(folder.path().join("overlap.wkt"), overlap).expect("a file");
+        let bow = "POLYGON((0 0, 2 2, 4 0, 4 3, 0 3))POLYGON((9 9, 8 9, 9 8))";
+        fs::write(folder.path().join("touch.wkt"), bow.replace("2 2", "2 3")).expect("a file");
+        let words: [&[&str]; 3] =
+            [&["overlap.wkt"], &["overlap.wkt", "--size", "1"], &["touch.wkt", "--size", "1"]];
+        for words in words {
+            let page = Page::open(folder.path(), words);
+            let start: Value =
+                serde_json::from_slice(&page.ask("GET /api/start", &json!({}))).expect("JSON");
+            assert!(start["domain"].is_object(), "{words:?}: {start}");
+            let note = start["notes"][0].as_str().expect("a note");
+            assert!(note.contains("they were repaired"), "{words:?}: {note}");
+        }
+    }
+
     /// Terminal, table, report and page give the same advice on all example domains, and the meshes have its figures.
     #[test]
     fn the_advice_is_the_same_everywhere() {

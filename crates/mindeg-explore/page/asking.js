@@ -1,17 +1,18 @@
 // Asking the server, by the worker, for what is on screen.
 
 import * as server from "./server.js";
-import { showTrouble, showUndo } from "./show.js";
+import { showNothing, showTrouble, showUndo } from "./show.js";
 import { remember, selection, shown, state, step } from "./state.js";
 
 export const worker = new Worker("/page/painter.js");
 
-/** The number of the last request, and of the last one whose answer is complete. */
-export const progress = { asked: 0, answered: 0 };
+/** The numbers of the last request, of the last one whose answer is complete, and of the first one about this domain. */
+export const progress = { asked: 0, answered: 0, since: 0 };
 
 const tab = server.newName();
 let ownState = null;
 let keeping;
+let domainAsked = null;
 
 /** What is asked for: what is on screen, and nothing else. */
 export function request() {
@@ -22,7 +23,9 @@ export function request() {
 
 export function ask() {
   progress.asked += 1;
-  worker.postMessage({ kind: "ask", id: progress.asked, tab, request: request() });
+  if (state.domain !== domainAsked) progress.since = progress.asked;
+  domainAsked = state.domain;
+  worker.postMessage({ kind: "ask", id: progress.asked, tab, request: request(), isAnew: selection.mustFit });
   showUndo();
   keep();
 }
@@ -47,16 +50,16 @@ export function apply(domain) {
 export function begin(domain, notes = []) {
   if (state.domain) remember(state.domain);
   state.domain = domain;
-  shown.advice = null;
   startAnew();
   shown.sourceNotes = notes;
   ask();
 }
 
-/** Nothing is chosen, and the whole domain will be in sight. */
+/** Nothing is chosen or known, and the whole domain will be in sight. */
 export function startAnew() {
   Object.assign(selection, { corner: null, side: null, mustFit: true });
   shown.decides = [];
+  showNothing();
 }
 
 /** Takes one step back, or forth. */

@@ -77,10 +77,16 @@ export function showAdvice() {
     const { purpose } = button.dataset;
     const mesh = advice?.[purpose];
     button.setAttribute("aria-pressed", String(purpose === now));
-    button.querySelector(".figures").textContent = mesh ? `${angleText(mesh.min_angle)}, degree ${mesh.max_degree}` : "";
+    button.querySelector(".figures").textContent = mesh ? `${angleText(mesh.min_angle)}, degree ${mesh.max_degree}` : advice ? "no mesh" : "";
   }
-  const words = advice?.words.find(([purpose]) => purpose === now);
-  element("advice").textContent = words?.[1] ?? "";
+  if (!advice) {
+    element("advice").textContent = "…";
+    return;
+  }
+  // Where a mesh is missing, the reason is told beside what is chosen.
+  const missing = advice.words.filter(([purpose]) => purpose !== now && !advice[purpose]);
+  const told = [...advice.words.filter(([purpose]) => purpose === now), ...missing];
+  element("advice").textContent = told.map(([, words]) => words).join(" ");
 }
 
 // ---- the goal

@@ -7,8 +7,8 @@ import { grab, handleKey, hint, startEditing, updateEditor } from "./editing.js"
 import { fit, fitAnew, isOff, jumpTo, looks, moveTo, readLooks, redraw, resize, setCursor, setFound, stages, zoomBy } from "./pictures.js";
 import * as server from "./server.js";
 import {
-  NAMES, decidingVertices, element, showCharts, showCurveNow, showDegree, showDomain, showLimit, showMesh, showPartRefused, showRefused,
-  showSuggestions, showTrouble,
+  decidingVertices, element, showCharts, showCurveNow, showDegree, showDomain, showLimit, showMesh, showPartRefused, showRefused,
+  showSuggestions, showTrouble, showWaiting,
 } from "./show.js";
 import { Stage, view } from "./stage.js";
 import { selection, shown, state } from "./state.js";
@@ -17,6 +17,8 @@ import { hand, offerCopy, offerFiles } from "./take.js";
 
 /** Charts are drawn again after so many milliseconds: they are read, not watched. */
 const CHART_PAUSE = 150;
+/** Figures of another domain stay so many milliseconds while those of this one are looked for. */
+const PATIENCE = 250;
 
 let facts;
 
@@ -25,6 +27,8 @@ let facts;
 /** What is done with each kind of line of an answer. */
 const take = {
   domain(domain) {
+    setTimeout(forgetOld, PATIENCE);
+    if (selection.mustFit) for (const stage of stages) stage.worst = null;
     shown.domain = domain;
     showTrouble("");
     showDomain(domain);
@@ -33,10 +37,10 @@ const take = {
     selection.mustFit = false;
     if (!selection.drag) updateEditor();
   },
-  mesh(mesh) {
+  mesh(mesh, id) {
     const stage = stages.find(({ view }) => view === mesh.view);
     if (!stage) return;
-    shown.meshes[mesh.view] = mesh;
+    shown.meshes[mesh.view] = { ...mesh, id };
     stage.worst = mesh.worst;
     showMesh(stage, mesh);
     if (mesh.view === "wanted" && mesh.is_last) {
@@ -46,8 +50,9 @@ const take = {
     if (mesh.view === "interior") redraw();
     laterCharts();
   },
-  advice(advice) {
+  advice(advice, id) {
     shown.advice = advice;
+    advised = id;
     showAdvice();
     showCurveNow(chooseDegree);
     // Where points inside bring little, they are not what a reader is led to.
@@ -72,13 +77,30 @@ const take = {
 
 const heard = {
   line({ id, line }) {
-    take[line.kind]?.(line);
+    take[line.kind]?.(line, id);
     if (line.kind === "done" || (line.kind === "refused" && !line.part)) progress.answered = id;
     redraw();
   },
   found: ({ place, found }) => setFound(place, found),
   jump: ({ at }) => jumpTo(at),
 };
+
+let advised = 0;
+
+/** What is not of this domain goes, if it is still there. */
+function forgetOld() {
+  if (progress.answered >= progress.asked) return;
+  for (const stage of stages) {
+    const { view, figure } = stage;
+    if (!(shown.meshes[view]?.id < progress.since)) continue;
+    delete shown.meshes[view];
+    stage.worst = null;
+    showWaiting(figure, view);
+  }
+  if (advised >= progress.since || !shown.advice) return;
+  shown.advice = null;
+  showAdvice();
+}
 
 let charting;
 function laterCharts() {
@@ -104,9 +126,7 @@ function showViews() {
     stage.worst = before[stage.view] ?? null;
     const mesh = shown.meshes[stage.view];
     if (mesh) return showMesh(stage, mesh);
-    stage.figure.querySelector("h3").textContent = NAMES[stage.view] ?? "";
-    stage.figure.querySelector(".words-of").textContent = "";
-    stage.figure.querySelector(".figures").textContent = "Working …";
+    showWaiting(stage.figure, stage.view);
   });
   for (const view of Object.keys(shown.meshes)) if (!views.includes(view)) delete shown.meshes[view];
   worker.postMessage({ kind: "views", views: Object.fromEntries(stages.map(({ id, view }) => [id, view])) });
@@ -284,8 +304,16 @@ async function start() {
   new ResizeObserver(() => resize(false)).observe(element("meshes"));
   showGoal();
   showViews();
-  begin(kept?.domain ?? source.domain, kept ? [] : source.notes);
+  const isSolid = source.is_solid && !kept;
+  const first = source.domain ? source : presets[0];
+  begin(kept?.domain ?? first.domain, kept ? [] : first.notes);
   if (facts.purpose && !kept) choosePurpose(facts.purpose);
+  if (!isSolid) return;
+  try {
+    await beginSolid(await server.startFile(source.name));
+  } catch (error) {
+    showTrouble(error.message);
+  }
 }
 
 start();

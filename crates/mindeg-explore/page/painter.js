@@ -221,6 +221,8 @@ const requests = {
     }
   },
   ask(message) {
+    // Of another domain the last pictures show nothing.
+    if (message.isAnew) for (const stage of stages.values()) clear(stage);
     waiting = message;
     askNext();
   },

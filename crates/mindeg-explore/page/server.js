@@ -35,6 +35,11 @@ export async function readFile(file) {
   return (await ask(`/api/read?name=${encodeURIComponent(file.name)}`, { method: "POST", body })).json();
 }
 
+/** The file of the surface that the page starts with. */
+export async function startFile(name) {
+  return new File([await (await ask("/api/start/file")).blob()], name);
+}
+
 /** One file of a mesh, as a blob. */
 export async function download(request, format, view, file) {
   const path = `/api/download?format=${encodeURIComponent(format)}&view=${view}&file=${file}`;

@@ -6,6 +6,7 @@ import { namedPlaces } from "./names.js";
 import { canRedo, canUndo, shown, state } from "./state.js";
 
 export const element = (id) => document.getElementById(id);
+export const several = (count, thing) => (count === 1 ? `1 ${thing}` : `${count} ${thing}s`);
 
 /** What a mesh beside the wanted one is called. */
 export const NAMES = { wanted: "Without points inside", least: "Least degree", delaunay: "Delaunay", interior: "Points inside" };
@@ -16,10 +17,11 @@ const wantedDegree = () => state.goal.max_degree ?? shown.wantedDegree;
 export function showDomain(domain) {
   const { name, vertices, triangles, rings, lines, region_count: regions } = domain;
   const holes = rings.length - 2;
+  // A surface that stands before it keeps its own.
+  if (document.body.classList.contains("solid")) return;
   element("title").textContent = name ?? "A domain";
-  const counted = [`${vertices} boundary vertices`, `${triangles} triangles without points inside`];
+  const counted = [`${vertices} boundary vertices`, `${several(triangles, "triangle")} without points inside`];
   if (holes) counted.splice(1, 0, holes === 1 ? "1 hole" : `${holes} holes`);
-  const several = (count, thing) => (count === 1 ? `1 ${thing}` : `${count} ${thing}s`);
   if (lines.length) counted.splice(-1, 0, several(lines.length, "line"));
   if (regions) counted.splice(-1, 0, several(regions, "region"));
   element("facts").textContent = counted.join(" · ");
@@ -42,10 +44,21 @@ export function showUndo() {
   element("redo").disabled = !canRedo();
 }
 
+/** What the keys of lists in a domain's JSON hold. */
+const THINGS = { holes: "hole", sides: "side", corners: "corner", ring: "point", lines: "line", regions: "region", points: "point", sizes: "size", vertices: "vertex" };
+
+/** A text with places of JSON in the words of the page: `holes[3].sides[0]` is side 1 of hole 4. */
+export function inWords(text) {
+  return text.replace(/(?:\b[a-z_]+(?:\[\d+\])?\.)*\b[a-z_]+\[\d+\](?:\.[a-z_]+(?:\[\d+\])?)*/g, (path) => path.split(".")
+    .filter((key) => key !== "polygon" && key !== "interior").reverse()
+    .map((key) => key.replace(/^([a-z_]+)\[(\d+)\]$/, (_, list, index) => `${THINGS[list] ?? list} ${Number(index) + 1}`).replaceAll("_", " "))
+    .join(" of "));
+}
+
 /** What is wrong with a domain, and where. The lines and columns of JSON that nobody has seen tell nothing. */
 export function domainTrouble({ message, path }) {
   const text = message.replace(/^line \d+, column \d+,? ?/, "");
-  return path && !text.includes(path) ? `${text} (at ${path})` : text;
+  return inWords(path && !text.includes(path) ? `${text} (at ${path})` : text);
 }
 
 /** What is wrong; nothing if there is no message. With `isOld`, the meshes are of another domain. */
@@ -71,6 +84,23 @@ export function showMesh(stage, mesh) {
   figure.querySelector(".words-of").textContent = mesh.words;
 }
 
+/** The mesh of a view is looked for: until it is there, its place has no figures, least of all those of another mesh. */
+export function showWaiting(figure, view) {
+  figure.querySelector("h3").textContent = NAMES[view] ?? "";
+  figure.querySelector(".words-of").textContent = "";
+  figure.querySelector(".figures").textContent = "Working …";
+}
+
+/** Of another domain nothing is known yet. */
+export function showNothing() {
+  Object.assign(shown, { meshes: {}, advice: null, curve: null, degree: null, limit: null });
+  for (const figure of document.querySelectorAll("#meshes .mesh")) showWaiting(figure, figure.dataset.stage === "main" ? state.view : state.beside);
+  for (const figures of document.querySelectorAll(".purpose .figures")) figures.textContent = "";
+  for (const id of ["advice", "degree-words", "limit-words", "suggestions", "curve-note"]) element(id).textContent = "…";
+  for (const id of ["curve", "degrees"]) element(id).replaceChildren();
+  for (const id of ["show-degree", "show-limit"]) element(id).hidden = true;
+}
+
 /** A picture without a mesh, and why it has none. */
 function showNoMesh(stage, message) {
   stage.worst = null;
@@ -87,7 +117,8 @@ export function showRefused(stages, line) {
 }
 
 /** Why a part has no answer, where its answer would stand. */
-export function showPartRefused(stages, part, message) {
+export function showPartRefused(stages, part, said) {
+  const message = inWords(said);
   const stage = stages.find(({ view }) => view === part);
   if (stage) showNoMesh(stage, message);
   else if (part === "curve") {

@@ -2,7 +2,7 @@
 // From the scripts of the viewer: SpaceStage, angleText, make, pageColors, unpack, showDegreeLegend.
 
 import * as server from "./server.js";
-import { element, showTrouble } from "./show.js";
+import { element, several, showTrouble } from "./show.js";
 
 /** The measure that colors triangles. */
 const MEASURE = { name: "min_angle", title: "Minimum angle", unit: "degrees", higher_is_better: true, logarithmic: false, range: [0, 60], goes_beyond: [false, false] };
@@ -17,6 +17,8 @@ export async function beginSolid(dropped) {
   element("solid").hidden = false;
   element("title").textContent = file.name;
   element("facts").textContent = "A surface in space";
+  // Those of the map before.
+  element("choose").hidden = true;
   await show("nothing");
 }
 
@@ -50,7 +52,7 @@ async function show(change) {
     const found = await server.solid(file, change, more);
     if (change === "nothing") {
       shownNow = [figure("Before", found)];
-      listLoops(found.loops);
+      listLoops(found.loops, found.loop_vertices.map((text) => unpack(text, Uint32Array)));
     } else {
       shownNow = [shownNow[0], figure({ remesh: "Meshed anew", fill: "Filled", bridge: "Bridged" }[change], found)];
     }
@@ -69,7 +71,7 @@ async function show(change) {
 function figure(title, found) {
   const box = make("figure", "mesh");
   const caption = make("figcaption");
-  const numbers = make("p", "figures", `degree ${found.max_degree} · minimum angle ${angleText(found.min_angle)} · ${found.triangles} triangles`);
+  const numbers = make("p", "figures", `degree ${found.max_degree} · minimum angle ${angleText(found.min_angle)} · ${several(found.triangles, "triangle")}`);
   caption.append(make("h3", "", title), numbers);
   const stage = make("div", "stage");
   stage.tabIndex = 0;
@@ -91,6 +93,9 @@ function figure(title, found) {
     hasDots: () => true,
   });
   space.color(MEASURE);
+  const rim = found.first_new === null ? [] : rimOf(scene.triangles.subarray(3 * found.first_new));
+  space.emphasize(rim);
+  stage.dataset.marked = rim.length / 2;
   const draw = () => {
     stage.style.aspectRatio = "1.3";
     space.resize();
@@ -98,15 +103,36 @@ function figure(title, found) {
     space.draw();
   };
   new ResizeObserver(draw).observe(stage);
-  return { figure: box, draw };
+  return { figure: box, draw, emphasize: (edges) => {
+    space.emphasize(edges);
+    stage.dataset.marked = edges.length / 2;
+  } };
 }
 
-function listLoops(loops) {
+/** The edges that only one of some triangles has, as pairs of vertices. */
+function rimOf(triangles) {
+  const edges = new Map();
+  for (let i = 0; i < triangles.length; i++) {
+    const ends = [triangles[i], triangles[i % 3 === 2 ? i - 2 : i + 1]];
+    const key = `${Math.min(...ends)} ${Math.max(...ends)}`;
+    if (!edges.delete(key)) edges.set(key, ends);
+  }
+  return [...edges.values()].flat();
+}
+
+/** Marks the loops that are ticked in the picture of the surface as it is. */
+function markChosen(vertices) {
+  const chosen = [...element("solid-loops").querySelectorAll("input:checked")].map(({ value }) => vertices[value]);
+  shownNow[0]?.emphasize(chosen.flatMap((loop) => [...loop].flatMap((vertex, i) => [vertex, loop[(i + 1) % loop.length]])));
+}
+
+function listLoops(loops, vertices) {
   element("solid-loops").replaceChildren(...(loops.length ? [make("p", "note", "Loops of the boundary; without a choice, all are filled:")] : [make("p", "note", "The surface is closed.")]),
     ...loops.slice(0, 50).map((words, index) => {
       const label = make("label");
       const box = make("input");
       Object.assign(box, { type: "checkbox", value: String(index) });
+      box.addEventListener("change", () => markChosen(vertices));
       label.append(box, ` ${words}`);
       return label;
     }));

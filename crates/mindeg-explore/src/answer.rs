@@ -3,6 +3,7 @@
 use std::time::{Duration, Instant};
 
 use mindeg::exact::trade_off;
+use mindeg::interior::InteriorMesh;
 use mindeg::{BoundaryMesh, Domain, Goal, is_by_formula};
 use mindeg_answers::advice::{Advice, AdviceAnswer, AdvisedMesh, Purpose};
 use mindeg_answers::degree::DegreeReport;
@@ -14,12 +15,10 @@ use crate::changes;
 use crate::command::{KnownFiles, command};
 use crate::mesh::Made;
 use crate::shown::{self, Figure};
+use crate::terms::without_options;
 
 /// The most boundary vertices of a domain.
 pub const MAX_VERTICES: u32 = 100_000;
-
-/// Beyond so many boundary vertices the search of a mesh without points inside is not over at once.
-const MANY_VERTICES: u32 = 4_000;
 
 type Out<'a> = &'a mut dyn FnMut(&AnswerLine);
 
@@ -61,8 +60,9 @@ pub fn answer(
         }
     };
     out(&AnswerLine::Domain(shown::domain(&domain)));
-    let made = [None; 3];
-    Answering { request: &request, domain: &domain, known, progress, out, made }.all()?;
+    let (made, no_interior) = ([None; 3], None);
+    Answering { request: &request, domain: &domain, known, progress, out, made, no_interior }
+        .all()?;
     out(&AnswerLine::Done { milliseconds: 1e3 * start.elapsed().as_secs_f64() });
     Ok(())
 }
@@ -78,7 +78,7 @@ pub(crate) fn understood(body: &[u8]) -> Result<(Request, Domain), Box<AnswerLin
         .and_then(|request: Request| request.checked())
         .map_err(|message| Box::new(refused(None, message)))?;
     let domain = Domain::from_json_up_to(request.domain.get(), MAX_VERTICES).map_err(|error| {
-        let message = error.to_string();
+        let message = without_options(&error.to_string());
         Box::new(AnswerLine::Refused { part: None, message, path: Some(error.path) })
     })?;
     Ok((request, domain))
@@ -94,7 +94,7 @@ pub(crate) fn late(limit: Duration) -> AnswerLine {
 }
 
 pub(crate) fn refused(part: Option<Part>, message: String) -> AnswerLine {
-    AnswerLine::Refused { part, message, path: None }
+    AnswerLine::Refused { part, message: without_options(&message), path: None }
 }
 
 /// An answer in the making.
@@ -106,22 +106,25 @@ struct Answering<'a> {
     out: Out<'a>,
     /// The figures of the meshes for [`Purpose::ALL`] that were made.
     made: [Option<AdvisedMesh>; 3],
+    /// Why there is no mesh with points inside.
+    no_interior: Option<String>,
 }
 
 impl Answering<'_> {
     fn all(mut self) -> Result<(), Cancelled> {
-        self.soon()?;
         if self.shows(Part::Command) {
             let text = command(self.request, self.domain, self.known);
             (self.out)(&AnswerLine::Command { text });
         }
-        // Searches of large boundaries take their time; what a reader looks at comes before them.
-        let is_large = self.domain.rings().vertex_count() > MANY_VERTICES;
-        let is_first = is_large && self.request.view == View::Interior;
+        let is_enough = self.soon();
+        // What a reader looks at comes before all searches.
+        let is_first = self.request.view == View::Interior;
         if is_first && self.shows(Part::Interior) {
-            self.mesh(Part::Interior, View::Interior)?;
+            self.interior()?;
         }
-        self.first_meshes()?;
+        if !is_enough {
+            self.first_meshes()?;
+        }
         let delaunay = if self.shows(Part::Delaunay) || self.shows(Part::Curve) {
             self.mesh(Part::Delaunay, View::Delaunay)?
         } else {
@@ -131,7 +134,7 @@ impl Answering<'_> {
             self.mesh(Part::Wanted, View::Wanted)?;
         }
         if !is_first && self.shows(Part::Interior) {
-            self.mesh(Part::Interior, View::Interior)?;
+            self.interior()?;
         }
         if self.shows(Part::Advice) {
             self.advice()?;
@@ -139,7 +142,7 @@ impl Answering<'_> {
         if self.shows(Part::Degree) {
             match DegreeReport::of(self.domain, self.progress) {
                 Ok(report) => {
-                    let words = report.words.clone();
+                    let words = without_options(&report.words);
                     (self.out)(&AnswerLine::Degree(DegreeShown { report, words }));
                 }
                 Err(error) => self.refuse(Part::Degree, error.to_string())?,
@@ -162,17 +165,36 @@ impl Answering<'_> {
         self.changes()
     }
 
-    /// Where points inside are looked at, the boundary points alone come first: a picture that follows a corner must
-    /// not wait.
-    fn soon(&mut self) -> Result<(), Cancelled> {
-        if self.request.view != View::Interior || !self.shows(Part::Interior) {
-            return Ok(());
+    /// The mesh with points inside, and before it its draft: a picture that follows a corner must not wait.
+    fn interior(&mut self) -> Result<(), Cancelled> {
+        let Answering { request, domain, .. } = *self;
+        let made = if self.shows(Part::Interior) {
+            let mut show = |draft: &InteriorMesh| {
+                let shown = Figure::draft(domain, draft).shown(View::Interior, false, request);
+                (self.out)(&AnswerLine::Mesh(Box::new(shown)));
+            };
+            Made::interior(domain, Some(&mut show), self.progress)
+        } else {
+            Made::interior(domain, None, self.progress)
+        };
+        self.unless_cancelled()?;
+        match made {
+            Ok(made) => {
+                self.note(&made);
+                if self.shows(Part::Interior) {
+                    let figure = Figure::made(domain, &made);
+                    let shown = figure.shown(View::Interior, true, request);
+                    (self.out)(&AnswerLine::Mesh(Box::new(shown)));
+                }
+            }
+            Err(message) => {
+                if self.shows(Part::Interior) {
+                    (self.out)(&refused(Some(Part::Interior), message.clone()));
+                }
+                self.no_interior = Some(message);
+            }
         }
-        if let Ok(made) = Made::new(self.domain, self.request, View::Delaunay, self.progress) {
-            let shown = Figure::made(self.domain, &made).shown(View::Interior, false, self.request);
-            (self.out)(&AnswerLine::Mesh(Box::new(shown)));
-        }
-        self.unless_cancelled()
+        Ok(())
     }
 
     /// The advice, for which the meshes that are not there yet are made.
@@ -181,20 +203,28 @@ impl Answering<'_> {
             if self.made[place].is_some() {
                 continue;
             }
-            let (view, goal) = match purpose.goal() {
-                Some(goal) => (View::Wanted, goal),
-                None => (View::Interior, self.request.goal),
+            let Some(goal) = purpose.goal() else {
+                if self.no_interior.is_none() {
+                    self.interior()?;
+                }
+                continue;
             };
             let request = Request { goal, ..self.request.clone() };
-            let made = Made::new(self.domain, &request, view, self.progress);
+            let made = Made::new(self.domain, &request, View::Wanted, self.progress);
             self.unless_cancelled()?;
             if let Ok(made) = made {
                 self.note(&made);
             }
         }
         let [solver, patch, fewest] = self.made;
-        let advice = Advice::among(solver, patch, fewest);
-        (self.out)(&AnswerLine::Advice(AdviceAnswer::of(advice)));
+        let mut answer = AdviceAnswer::of(Advice::among(solver, patch, fewest));
+        if let Some(reason) = &self.no_interior {
+            let own = answer.words.iter_mut().filter(|(purpose, _)| *purpose == Purpose::Solver);
+            own.for_each(|(_, words)| {
+                *words = format!("Points inside cannot be put here: {}", without_options(reason))
+            });
+        }
+        (self.out)(&AnswerLine::Advice(answer));
         Ok(())
     }
 
@@ -216,23 +246,27 @@ impl Answering<'_> {
         self.request.show.contains(&part)
     }
 
-    /// The mesh of least degree, also as the one that is wanted until that is found. Where a search takes
-    /// its time, the mesh of the formula comes first.
+    /// Where a search takes its time, the mesh of the formula comes first: as the mesh of least degree, and as the one that
+    /// is wanted until that is found. Whether that is enough of them.
+    fn soon(&mut self) -> bool {
+        let (is_wanted, is_shown) = (self.shows(Part::Wanted), self.shows(Part::Least));
+        let is_asked_for = is_shown || is_wanted && self.request.goal == Goal::LeastDegree;
+        // The formula's mesh of a large domain is the mesh of least degree: once is enough.
+        if !(is_wanted || is_shown) || is_asked_for && is_by_formula(self.domain) {
+            return false;
+        }
+        let Ok(mesh) = BoundaryMesh::least_degree(self.domain) else { return false };
+        self.least(&Figure::for_now(&mesh), false, false);
+        !is_asked_for
+    }
+
+    /// The mesh of least degree, also as the one that is wanted until that is found.
     fn first_meshes(&mut self) -> Result<(), Cancelled> {
         let (is_wanted, is_shown) = (self.shows(Part::Wanted), self.shows(Part::Least));
         if !is_wanted && !is_shown {
             return Ok(());
         }
         let is_last = self.request.goal == Goal::LeastDegree;
-        let is_asked_for = is_shown || is_wanted && is_last;
-        // The formula's mesh of a large domain is the mesh of least degree: once is enough.
-        let is_soon = is_asked_for && is_by_formula(self.domain);
-        if !is_soon && let Ok(mesh) = BoundaryMesh::least_degree(self.domain) {
-            self.least(&Figure::for_now(&mesh), false, false);
-            if !is_asked_for {
-                return Ok(());
-            }
-        }
         match Made::new(self.domain, self.request, View::Least, self.progress) {
             Ok(made) => {
                 self.note(&made);

@@ -7,7 +7,8 @@
 //! | request | body | answer |
 //! |---|---|---|
 //! | `GET /`, `GET /page/NAME` | | the page and its files; no token |
-//! | `GET /api/start` | | [`Source`]: the domain of the command line, or else a preset |
+//! | `GET /api/start` | | [`Source`]: the domain or surface of the command line, or else a preset |
+//! | `GET /api/start/file` | | the bytes of the file of that surface |
 //! | `GET /api/presets` | | a list of [`Source`]: the domains of `assets/domains` |
 //! | `GET /api/facts` | | [`Facts`]: measures and formats by name, limits |
 //! | `POST /api/answer?tab=ID` | [`Request`] | [`AnswerLine`]s, one JSON object a line, each as soon as it is known |

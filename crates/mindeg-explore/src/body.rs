@@ -15,7 +15,7 @@ use tokio::sync::mpsc;
 use crate::refusal::{Refusal, refused};
 
 /// The most bytes of a body.
-pub(crate) const MAX_BYTES: usize = 8 << 20;
+pub const MAX_BYTES: usize = 8 << 20;
 
 /// How long the rest of a body that is too large is taken in.
 const DRAIN_TIME: Duration = Duration::from_secs(2);

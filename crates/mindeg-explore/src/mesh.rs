@@ -47,20 +47,36 @@ impl Made {
             View::Wanted => boundary(request.goal),
             View::Least => boundary(Goal::LeastDegree),
             View::Delaunay => delaunay(domain).map(|mesh| Self::Delaunay(Box::new(mesh))),
-            View::Interior => {
-                let wanted = domain.interior().cloned().unwrap_or_default();
-                let most = wanted.max_points.map_or(MAX_POINTS, |most| most.min(MAX_POINTS));
-                let wanted = Interior { max_points: Some(most), ..wanted };
-                let found = interior::mesh(domain, &wanted, progress);
-                found.map(|found| Self::Interior(Box::new(found))).map_err(|error| match error {
-                    InteriorError::TooManyPoints { max: MAX_POINTS } => format!(
-                        "It has more than {MAX_POINTS} points, more than the page shows. \"Copy the command\" gives the command \
-                         that makes it; a larger size inside, with a larger growth, gives fewer points."
-                    ),
-                    error => error.to_string(),
-                })
-            }
+            View::Interior => Self::interior(domain, None, progress),
         }
+    }
+
+    /// The mesh with points inside; `show` gets a draft of it, soon.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Made::new`].
+    pub(crate) fn interior(
+        domain: &Domain,
+        show: Option<&mut dyn FnMut(&InteriorMesh)>,
+        progress: Progress<'_>,
+    ) -> Result<Self, String> {
+        let wanted = domain.interior().cloned().unwrap_or_default();
+        let most = wanted.max_points.map_or(MAX_POINTS, |most| most.min(MAX_POINTS));
+        let wanted = Interior { max_points: Some(most), ..wanted };
+        let found = match show {
+            Some(show) => {
+                interior::mesh_showing(domain, &wanted, &mut |draft| show(&draft), progress)
+            }
+            None => interior::mesh(domain, &wanted, progress),
+        };
+        found.map(|found| Self::Interior(Box::new(found))).map_err(|error| match error {
+            InteriorError::TooManyPoints { max: MAX_POINTS } => format!(
+                "It has more than {MAX_POINTS} points, more than the page shows. \"Copy the command\" gives the command \
+                 that makes it; a larger size inside, with a larger growth, gives fewer points."
+            ),
+            error => error.to_string(),
+        })
     }
 
     /// For writers.

@@ -4,18 +4,21 @@ use mindeg::{Domain, Progress};
 use mindeg_answers::names::part_name;
 use mindeg_files::{Content, FileError, Input, Polygon, PolygonFile, ReadOptions, Session, Wanted};
 use serde_json::value::RawValue;
+use std::path::Path;
 
 use crate::answer::MAX_VERTICES;
 use crate::api::Source;
+use crate::terms::without_options;
 
 /// The most polygons of a file that are given.
 const MOST: usize = 200;
 
 /// The note on polygons that are none without a repair, first of all notes.
-pub const REPAIRED: &str = "Rings touched or crossed; they were repaired, as --repair does.";
+pub const REPAIRED: &str = "Rings touched or crossed, or polygons overlapped; they were repaired.";
 
-/// The domain of a file, or the maps of its polygons that share edges, then each polygon alone. Where polygons are
-/// refused as they are and not once they are repaired, they are given repaired, with a note.
+/// The domain of a file, or the maps of its polygons that share edges, then each polygon alone; or the surface or the whole
+/// model in it. Where polygons, or maps of them, are refused as they are and not once they are repaired, they are given
+/// repaired, with a note.
 ///
 /// # Errors
 ///
@@ -33,38 +36,83 @@ pub const REPAIRED: &str = "Rings touched or crossed; they were repaired, as --r
 /// ```
 pub fn sources(session: &Session, input: &Input<'_>) -> Result<Vec<Source>, FileError> {
     let plain = read(session, input, &ReadOptions::default());
-    let refused = |sources: &[Source]| {
-        sources.iter().filter(|source| source.domain.is_none() && !source.is_solid).count()
+    let refused = |found: &Found| {
+        let sources = found.sources.iter();
+        let alone = sources.filter(|source| source.domain.is_none() && !source.is_solid).count();
+        alone + usize::from(found.no_map.is_some())
     };
-    let before = plain.as_ref().map_or(usize::MAX, |sources| refused(sources));
-    if before == 0 {
-        return plain;
-    }
-    match read(session, input, &ReadOptions { repair: true, ..ReadOptions::default() }) {
-        Ok(mut sources) if refused(&sources) < before => {
-            for source in sources.iter_mut().filter(|source| source.domain.is_some()) {
+    let mut least = plain.as_ref().map_or(usize::MAX, refused);
+    let mut best = plain;
+    // Together, what polygons share stays shared.
+    for together in [false, true] {
+        if least == 0 {
+            break;
+        }
+        let options = ReadOptions { repair: true, together, ..ReadOptions::default() };
+        let Ok(mut found) = read(session, input, &options) else { continue };
+        if refused(&found) < least {
+            least = refused(&found);
+            for source in found.sources.iter_mut().filter(|source| source.domain.is_some()) {
                 source.notes.insert(0, REPAIRED.to_owned());
             }
-            Ok(sources)
+            best = Ok(found);
         }
-        _ => plain,
+    }
+    best.map(Found::told)
+}
+
+/// What a file holds.
+struct Found {
+    sources: Vec<Source>,
+    /// Why its polygons are no map.
+    no_map: Option<String>,
+}
+
+impl Found {
+    /// The sources; each says why it is alone where that is a fault.
+    fn told(mut self) -> Vec<Source> {
+        for source in &mut self.sources {
+            source.notes.iter_mut().for_each(|note| *note = in_page(note));
+            let reason = self
+                .no_map
+                .iter()
+                .map(|reason| without_options(&format!("Each polygon is alone: {reason}.")));
+            source.notes.extend(reason);
+        }
+        self.sources
+    }
+}
+
+/// A note without options of the terminal, but for the one that the page is started with.
+fn in_page(note: &str) -> String {
+    let is_in_degrees = note.contains("--project auto makes metres of them");
+    let note = without_options(note);
+    match is_in_degrees {
+        true => format!(
+            "{note}; a page that is started by \"mindeg explore FILE --project auto\" has metres"
+        ),
+        false => note,
+    }
+}
+
+impl From<Source> for Found {
+    fn from(source: Source) -> Self {
+        Self { sources: vec![source], no_map: None }
     }
 }
 
 /// The same with options.
-fn read(
-    session: &Session,
-    input: &Input<'_>,
-    options: &ReadOptions,
-) -> Result<Vec<Source>, FileError> {
+fn read(session: &Session, input: &Input<'_>, options: &ReadOptions) -> Result<Found, FileError> {
     let name = input.name();
     let content = session.open(input, Wanted::Domain, options, Progress::NONE);
     let content = match content {
         Ok(content) => content,
         Err(error) => {
-            // A file with faces, of a format that may hold outlines, too.
+            // A file with faces, of a format that may hold outlines, too; or a whole model.
+            let model = || session.open(input, Wanted::Model, options, Progress::NONE);
             return match session.mesh(input, None, Progress::NONE) {
-                Ok(_) => Ok(vec![solid(name)]),
+                Ok(_) => Ok(solid(name).into()),
+                Err(_) if matches!(model(), Ok(Content::Model(_))) => Ok(solid(name).into()),
                 Err(_) => Err(error),
             };
         }
@@ -75,42 +123,65 @@ fn read(
             let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
             let domain = Domain::from_json_up_to(text, MAX_VERTICES)
                 .map_err(|error| FileError::wrong(format!("{name}: {error}")))?;
-            let name = domain.name().unwrap_or(&name).to_owned();
-            let domain = RawValue::from_string(text.trim().to_owned()).ok();
+            let text = text.trim().to_owned();
+            let (name, text) = match (domain.name(), stem(input)) {
+                (None, Some(stem)) => (stem.clone(), with_name(&text, &stem)),
+                (own, _) => (own.unwrap_or(&name).to_owned(), text),
+            };
+            let domain = RawValue::from_string(text).ok();
             let notes = Vec::new();
-            return Ok(vec![Source { name, domain, notes, message: None, is_solid: false }]);
+            return Ok(Source { name, domain, notes, message: None, is_solid: false }.into());
         }
-        Content::Mesh(_) => return Ok(vec![solid(name)]),
+        Content::Mesh(_) => return Ok(solid(name).into()),
     };
     let count = polygons.polygons.len();
     if count > MOST {
         polygons.notes.push(format!("The first {MOST} of {count} polygons are given."));
     }
-    let mut sources = maps(&polygons);
+    let (mut sources, no_map) = match maps(&polygons, stem(input).as_deref()) {
+        Ok(sources) => (sources, None),
+        Err(error) => (Vec::new(), Some(error.to_string())),
+    };
     let singly = polygons.polygons.iter().take(MOST - sources.len());
     sources.extend(singly.map(|polygon| source(&polygons, polygon)));
-    Ok(sources)
+    Ok(Found { sources, no_map })
+}
+
+/// The name of a dropped file without its extension, for a domain without a name: no command names the file.
+fn stem(input: &Input<'_>) -> Option<String> {
+    let Input::Bytes(name, _) = input else { return None };
+    let stem = Path::new(name).file_stem()?.to_str()?;
+    let is_plain = stem.chars().all(|c| c.is_alphanumeric() || "-_. ".contains(c));
+    is_plain.then(|| stem.to_owned())
+}
+
+/// The JSON of a domain with a name in front.
+fn with_name(text: &str, name: &str) -> String {
+    // A plain name needs no escapes.
+    text.replacen('{', &format!("{{\"name\": \"{name}\", "), 1)
 }
 
 /// The maps of polygons that share edges; a polygon that shares none is no map.
-fn maps(polygons: &PolygonFile) -> Vec<Source> {
+fn maps(polygons: &PolygonFile, stem: Option<&str>) -> Result<Vec<Source>, FileError> {
     if polygons.polygons.len() < 2 {
-        return Vec::new();
+        return Ok(Vec::new());
     }
-    let Ok((domains, notes)) = polygons.maps() else { return Vec::new() };
+    let (domains, notes) = polygons.maps()?;
     let parts = domains.iter().enumerate().filter(|(_, domain)| domain.inside().regions.len() > 1);
     let source = |(index, domain): (usize, &Domain)| {
         let name = match &domains[..] {
-            [_] => polygons.name().map_or_else(|| part_name(index, domain), str::to_owned),
+            [_] => polygons.name().or(stem).map_or_else(|| part_name(index, domain), str::to_owned),
             _ => part_name(index, domain),
         };
         let notes = polygons.notes.iter().chain(&notes).cloned().collect();
-        Source { name, notes, ..Source::of(domain) }
+        let whole = stem.filter(|_| domain.name().is_none());
+        let named = whole.and_then(|whole| domain.clone().named(whole).ok());
+        Source { name, notes, ..Source::of(named.as_ref().unwrap_or(domain)) }
     };
-    parts.take(MOST).map(source).collect()
+    Ok(parts.take(MOST).map(source).collect())
 }
 
-/// A file that holds a surface.
+/// A file that holds a surface, or a whole model, whose mesh is one.
 fn solid(name: String) -> Source {
     let message = Some("it is a mesh; a domain is expected".to_owned());
     Source { name, domain: None, notes: Vec::new(), message, is_solid: true }
@@ -192,6 +263,45 @@ mod tests {
         assert_eq!(bow[0].notes[0], REPAIRED);
         let sound = given("[[0, 0], [2, 0], [2, 2], [0, 2], [0, 0]]");
         assert!(sound[0].domain.is_some() && !sound[0].notes.contains(&REPAIRED.to_owned()));
+    }
+
+    #[test]
+    fn polygons_that_overlap_are_repaired_as_one_map_or_the_reason_is_told() {
+        let given = |squares: &str| {
+            let input = Input::Bytes("land.wkt", squares.as_bytes());
+            sources(&Session::new(""), &input).unwrap()
+        };
+        let overlapping = "POLYGON((0 0, 5.02 0, 5.02 5, 0 5)) POLYGON((5 0, 10 0, 10 5, 5 5))";
+        let sources = given(overlapping);
+        let domain = Domain::from_json(sources[0].domain.as_ref().unwrap().get()).unwrap();
+        assert_eq!((domain.inside().regions.len(), domain.name()), (2, Some("land")));
+        assert_eq!(sources[0].notes[0], REPAIRED);
+        assert!(sources[0].notes.len() > 1, "{:?}", sources[0].notes);
+        let beside = "POLYGON((0 0, 5 0, 5 5, 0 5)) POLYGON((5 0, 10 0, 10 5, 5 5))";
+        assert!(given(beside).iter().all(|source| source.notes.is_empty()));
+    }
+
+    #[test]
+    fn a_domain_without_a_name_is_called_after_its_dropped_file() {
+        let text = r#" {"rectangle": {"width": 4, "height": 3}, "size": 1}"#;
+        let given = |text: &str| {
+            let input = Input::Bytes("my plate.json", text.as_bytes());
+            let sources = sources(&Session::new(""), &input).unwrap();
+            let domain = Domain::from_json(sources[0].domain.as_ref().unwrap().get()).unwrap();
+            assert_eq!(domain.name(), Some(&*sources[0].name));
+            sources[0].name.clone()
+        };
+        assert_eq!(given(text), "my plate");
+        assert_eq!(given(&text.replacen('{', r#"{"name": "own", "#, 1)), "own");
+    }
+
+    #[test]
+    fn a_whole_model_is_a_surface() {
+        let cube = r#"{"corners": [[0,0,0], [1,0,0], [1,1,0], [0,1,0], [0,0,1], [1,0,1], [1,1,1], [0,1,1]],
+            "faces": [[0,3,2,1], [4,5,6,7], [0,1,5,4], [1,2,6,5], [2,3,7,6], [3,0,4,7]], "size": 0.5}"#;
+        let input = Input::Bytes("cube.json", cube.as_bytes());
+        let sources = sources(&Session::new(""), &input).unwrap();
+        assert!(sources[0].is_solid && sources.len() == 1);
     }
 
     #[test]

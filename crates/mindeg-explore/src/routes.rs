@@ -30,8 +30,10 @@ use crate::guard::{Guard, HasToken};
 use crate::presets::presets;
 use crate::reading::sources;
 use crate::refusal::{Refusal, bad_request, json, refused};
+use crate::setup::Setup;
 use crate::solid;
 use crate::states::States;
+use crate::terms::without_options;
 use crate::work::{TIME_LIMIT, Work, Works};
 
 const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; \
@@ -42,6 +44,7 @@ const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; \
 pub(crate) struct All {
     guard: Guard,
     start: Option<Source>,
+    surface: Bytes,
     known: KnownFiles,
     purpose: Option<Purpose>,
     works: Works,
@@ -49,13 +52,10 @@ pub(crate) struct All {
 }
 
 impl All {
-    pub(crate) fn new(
-        guard: Guard,
-        start: Option<Source>,
-        known: KnownFiles,
-        purpose: Option<Purpose>,
-    ) -> Result<Self, ThreadPoolBuildError> {
-        Ok(Self { guard, start, known, purpose, works: Works::new()?, states: States::default() })
+    pub(crate) fn new(guard: Guard, setup: Setup) -> Result<Self, ThreadPoolBuildError> {
+        let Setup { start, surface, known, purpose, port: _ } = setup;
+        let (surface, works, states) = (surface.into(), Works::new()?, States::default());
+        Ok(Self { guard, start, surface, known, purpose, works, states })
     }
 
     /// The token that requests must have.
@@ -70,6 +70,7 @@ pub(crate) fn router(all: Arc<All>) -> Router {
         .route("/", get(async || page(files::INDEX)))
         .route("/page/{name}", get(page_file))
         .route("/api/start", get(start))
+        .route("/api/start/file", get(start_file))
         .route("/api/presets", get(async || json(&presets())))
         .route("/api/facts", get(async move || json(&facts(MAX_BYTES, purpose))))
         .route("/api/answer", post(answers))
@@ -129,6 +130,11 @@ async fn page_file(Path(name): Path<String>) -> Result<Response, Refusal> {
 
 async fn start(State(all): State<Arc<All>>) -> Response {
     json(&all.start.clone().or_else(|| presets().into_iter().next()))
+}
+
+/// The file of the surface to start with.
+async fn start_file(State(all): State<Arc<All>>) -> Response {
+    ([(header::CONTENT_TYPE, "application/octet-stream")], all.surface.clone()).into_response()
 }
 
 /// The query after `?` in an address, if it is valid.
@@ -204,12 +210,19 @@ async fn reading(query: Asked<Named>, request: Request) -> Result<Response, Refu
     let Named { name } = asked(query)?;
     let bytes = body(request).await?;
     let read = tokio::task::spawn_blocking(move || {
-        sources(&Session::new(""), &Input::Bytes(&name, &bytes))
+        sources(&Session::new("--"), &Input::Bytes(&name, &bytes))
     })
     .await;
     match read {
-        Ok(Ok(sources)) => Ok(json(&sources)),
-        Ok(Err(error)) => Err(refused(StatusCode::UNPROCESSABLE_ENTITY, &error.to_string())),
+        Ok(Ok(mut sources)) => {
+            for message in sources.iter_mut().filter_map(|source| source.message.as_mut()) {
+                *message = without_options(message);
+            }
+            Ok(json(&sources))
+        }
+        Ok(Err(error)) => {
+            Err(refused(StatusCode::UNPROCESSABLE_ENTITY, &without_options(&error.to_string())))
+        }
         Err(_) => Err(failed()),
     }
 }
@@ -284,7 +297,9 @@ async fn worked<T: Send + 'static>(
     });
     match made.await {
         Ok(Ok(made)) => Ok(made),
-        Ok(Err(message)) => Err(refused(StatusCode::UNPROCESSABLE_ENTITY, &message)),
+        Ok(Err(message)) => {
+            Err(refused(StatusCode::UNPROCESSABLE_ENTITY, &without_options(&message)))
+        }
         Err(_) => Err(failed()),
     }
 }

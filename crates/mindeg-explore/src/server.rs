@@ -11,15 +11,13 @@ use axum::{Extension, Router};
 use hyper::server::conn::http1;
 use hyper_util::rt::{TokioIo, TokioTimer};
 use hyper_util::service::TowerToHyperService;
-use mindeg_answers::advice::Purpose;
 use tokio::net::TcpListener;
 use tokio::sync::Semaphore;
 use tokio::time::timeout;
 
-use crate::api::Source;
-use crate::command::KnownFiles;
 use crate::guard::{Guard, HasToken};
 use crate::routes::{All, router};
+use crate::setup::Setup;
 use crate::token::token;
 
 /// The most connections at once; further ones wait.
@@ -36,19 +34,6 @@ struct Times {
 }
 
 const TIMES: Times = Times { stranger: Duration::from_secs(5), page: Duration::from_secs(300) };
-
-/// The settings that a server starts with.
-#[derive(Clone, Debug, Default)]
-pub struct Setup {
-    /// The port; 0 for any that is free.
-    pub port: u16,
-    /// The domain to show first; the first preset otherwise.
-    pub start: Option<Source>,
-    /// Files that the page's commands may name.
-    pub known: KnownFiles,
-    /// What the mesh is for, if that is known.
-    pub purpose: Option<Purpose>,
-}
 
 /// Why a server does not start, or ends.
 #[derive(Debug, thiserror::Error)]
@@ -94,7 +79,7 @@ impl Server {
         let listener = bound.map_err(|error| ServerError::Listen { port, error })?;
         let address = listener.local_addr()?;
         let guard = Guard { port: address.port(), token: token()? };
-        let all = Arc::new(All::new(guard, setup.start, setup.known, setup.purpose)?);
+        let all = Arc::new(All::new(guard, setup)?);
         Ok(Self { runtime, listener, address, all })
     }
 

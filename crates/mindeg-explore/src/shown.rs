@@ -6,7 +6,7 @@ use mindeg::quality::{DegreeHistogram, Distribution, METRICS, Metric, TriangleQu
 use mindeg::{BoundaryMesh, Domain, Line, Region, TriMesh};
 use mindeg_answers::interior::{angles_and_degrees, local_limits};
 use mindeg_answers::mesh as words;
-use mindeg_answers::numbers::{percent, steady_angle};
+use mindeg_answers::numbers::{percent, steady_angle, triangles};
 use mindeg_answers::sizes::coarse_sides;
 use mindeg_compare::axis::{Axis, BARS};
 use mindeg_mesh::LineKind;
@@ -15,6 +15,7 @@ use mindeg_mesh::planar::PlanarBoundary;
 use crate::api::{Bars, DomainShown, LineShown, PlaceShown, Request, Shown, SideShown, View};
 use crate::arrays::{f32s, f64s, u32s};
 use crate::mesh::Made;
+use crate::terms::without_options;
 
 /// The most vertices of a wrong degree that are marked.
 const MOST_MARKS: usize = 100;
@@ -130,6 +131,13 @@ impl Figure {
         Self { words, ..figure }
     }
 
+    /// A mesh with points inside, to show until it is worked on.
+    pub(crate) fn draft(domain: &Domain, draft: &InteriorMesh) -> Self {
+        let figure = Self::listed(domain, &draft.mesh);
+        let words = figure.in_short() + " A better mesh is looked for.";
+        Self { words, ..figure }
+    }
+
     /// A mesh of the boundary points.
     fn of(mesh: &BoundaryMesh) -> Self {
         Self {
@@ -170,10 +178,10 @@ impl Figure {
             Made::Interior(found) => {
                 let (figure, report) = (Self::listed(domain, &found.mesh), &found.report);
                 let mut words = format!(
-                    "{} boundary and {} interior vertices, {} triangles, {}. {}",
+                    "{} boundary and {} interior vertices, {}, {}. {}",
                     domain.rings().vertex_count(),
                     report.interior_points,
-                    report.triangles,
+                    triangles(report.triangles as u64),
                     angles_and_degrees(report),
                     local_limits(report),
                 );
@@ -218,9 +226,9 @@ impl Figure {
     fn in_short(&self) -> String {
         let (min, max) = self.angles();
         format!(
-            "{} vertices, {} triangles, maximum degree {}, angles {} to {}.",
+            "{} vertices, {}, maximum degree {}, angles {} to {}.",
             self.degrees.len(),
-            self.triangles.len(),
+            triangles(self.triangles.len() as u64),
             self.max_degree(),
             steady_angle(min),
             steady_angle(max),
@@ -255,7 +263,7 @@ impl Figure {
         Shown {
             view,
             is_last,
-            words: self.words.clone(),
+            words: without_options(&self.words),
             interior_points: f64s(self.interior_points.iter().map(|&p| p - self.frame.center)),
             triangles: u32s(self.triangles.iter().flatten().copied()),
             degrees: u32s(self.degrees.iter().copied()),

@@ -5,19 +5,22 @@ use std::path::PathBuf;
 use mindeg::bridge::{BridgeOptions, bridge};
 use mindeg::fill::{FillOptions, fill};
 use mindeg::glam::DVec3;
+use mindeg::model::mesh_model;
 use mindeg::quality::TriangleQuality;
 use mindeg::remesh::{Remesh, remesh};
-use mindeg::{Loops, TriMesh};
+use mindeg::{Goal, Loops, Model, TriMesh};
 use mindeg_answers::loops::{BridgeAnswer, FillAnswer, LoopName};
-use mindeg_answers::numbers::steady_angle;
+use mindeg_answers::model::ModelAnswer;
+use mindeg_answers::numbers::{steady_angle, triangles};
 use mindeg_answers::remesh::RemeshAnswer;
-use mindeg_files::{Input, Session, WriteOptions, Writer};
+use mindeg_files::{Content, Input, ReadOptions, Session, Wanted, WriteOptions, Writer};
 use mindeg_mesh::{Progress, Triangles};
 use serde::{Deserialize, Serialize};
 
 use crate::arrays::{f32s, u32s};
 use crate::download::Download;
 use crate::format::format_named;
+use crate::terms::without_options;
 
 /// The most triangles that are shown.
 const MAX_TRIANGLES: usize = 400_000;
@@ -81,6 +84,10 @@ pub(crate) struct SolidShown {
     max_degree_vertex: u32,
     /// Its boundary loops, in words.
     loops: Vec<String>,
+    /// The vertices of each in order: `u32`, base64.
+    loop_vertices: Vec<String>,
+    /// The first of the triangles that are new, if some are and the others stayed.
+    first_new: Option<u32>,
 }
 
 /// A surface with what was asked for.
@@ -93,7 +100,7 @@ pub(crate) fn shown(
     bytes: &[u8],
     progress: Progress<'_>,
 ) -> Result<SolidShown, String> {
-    let (mesh, words) = changed(asked, bytes, progress)?;
+    let Changed { mesh, words, first_new } = changed(asked, bytes, progress)?;
     if mesh.triangles().len() > MAX_TRIANGLES {
         return Err(format!(
             "the surface has {} triangles; the page shows up to {MAX_TRIANGLES}, mindeg view any number",
@@ -117,14 +124,14 @@ pub(crate) fn shown(
     let loops = Loops::of(&mesh);
     let listed = loops.list().iter().enumerate();
     let counts = format!(
-        "{} vertices, {} triangles, maximum degree {max_degree}, minimum angle {}.",
+        "{} vertices, {}, maximum degree {max_degree}, minimum angle {}.",
         positions.len(),
-        qualities.len(),
+        triangles(qualities.len() as u64),
         steady_angle(min_angle)
     );
     Ok(SolidShown {
         name: mesh.name().unwrap_or(&asked.name).to_owned(),
-        words: if words.is_empty() { counts } else { words },
+        words: if words.is_empty() { counts } else { without_options(&words) },
         vertices: positions.len(),
         triangles: qualities.len(),
         max_degree,
@@ -137,6 +144,8 @@ pub(crate) fn shown(
         worst_triangle: least.unwrap_or(0) as u32,
         max_degree_vertex: degrees.iter().position(|&it| it == max_degree).unwrap_or(0) as u32,
         loops: listed.map(|(index, found)| LoopName::new(index, found).text()).collect(),
+        loop_vertices: loops.list().iter().map(|it| u32s(it.vertices.iter().copied())).collect(),
+        first_new,
     })
 }
 
@@ -152,7 +161,7 @@ pub(crate) fn file(
 ) -> Result<Download, String> {
     let format = format_named(&asked.format)
         .ok_or_else(|| format!("no format {:?} is written here", asked.format))?;
-    let (mesh, _) = changed(asked, bytes, progress)?;
+    let Changed { mesh, .. } = changed(asked, bytes, progress)?;
     let letters = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '-' };
     let stem: String =
         asked.name.split('.').next().unwrap_or("surface").chars().map(letters).collect();
@@ -177,28 +186,51 @@ pub(crate) fn file(
     Ok(Download { name: names[0].clone(), bytes: contents.swap_remove(0) })
 }
 
-/// The surface in a file with what was asked for, and what was done, in sentences.
-fn changed(
-    asked: &Asked,
-    bytes: &[u8],
-    progress: Progress<'_>,
-) -> Result<(TriMesh, String), String> {
-    let input = Input::Bytes(&asked.name, bytes);
-    let mesh = Session::new("").mesh(&input, None, progress).map_err(|error| error.to_string())?;
+/// The surface in a file; of a whole model, its mesh of least degree, and how it was made.
+fn surface(input: &Input<'_>, progress: Progress<'_>) -> Result<(TriMesh, String), String> {
+    let session = Session::new("");
+    let options = ReadOptions::default();
+    match session.mesh(input, None, progress) {
+        Ok(mesh) => Ok((mesh, String::new())),
+        Err(error) => match session.open(input, Wanted::Model, &options, progress) {
+            Ok(Content::Model(text)) => {
+                let model = Model::from_json(&text).map_err(|error| error.to_string())?;
+                let meshed = mesh_model(&model, Goal::LeastDegree, 1.0, progress)
+                    .map_err(|error| error.to_string())?;
+                let words = ModelAnswer::of(&model, &meshed).words;
+                Ok((meshed.mesh, words))
+            }
+            _ => Err(error.to_string()),
+        },
+    }
+}
+
+/// A surface with what was asked for.
+struct Changed {
+    mesh: TriMesh,
+    /// What was done, in sentences.
+    words: String,
+    /// The first of the triangles that were added.
+    first_new: Option<u32>,
+}
+
+/// The surface in a file with what was asked for.
+fn changed(asked: &Asked, bytes: &[u8], progress: Progress<'_>) -> Result<Changed, String> {
+    let (mesh, words) = surface(&Input::Bytes(&asked.name, bytes), progress)?;
     let indices = asked.loops.split(',').filter_map(|index| index.parse().ok());
     let chosen: Vec<usize> = indices.collect();
     let loops = Loops::of(&mesh);
-    let count = loops.list().len();
+    let (count, before) = (loops.list().len(), mesh.triangle_count());
     if let Some(index) = chosen.iter().find(|index| **index >= count) {
         return Err(format!("there is no loop {}; the surface has {count}", index + 1));
     }
     match asked.change {
-        Change::Nothing => Ok((mesh, String::new())),
+        Change::Nothing => Ok(Changed { mesh, words, first_new: None }),
         Change::Remesh => {
             let wish = Remesh { size: asked.size, ..Remesh::default() };
             let found = remesh(&mesh, &wish, progress).map_err(|error| error.to_string())?;
             let answer = RemeshAnswer::of(&asked.name, &mesh, None, &found);
-            Ok((found.mesh, answer.text()))
+            Ok(Changed { mesh: found.mesh, words: answer.text(), first_new: None })
         }
         Change::Fill => {
             let options = FillOptions {
@@ -212,7 +244,7 @@ fn changed(
                 return Err("it has no hole to fill".to_owned());
             }
             let words = FillAnswer::of(&asked.name, &result, &loops).text(&options);
-            Ok((result.mesh, words))
+            Ok(Changed { mesh: result.mesh, words, first_new: Some(before) })
         }
         Change::Bridge => {
             let ends = match (&chosen[..], count) {
@@ -227,7 +259,7 @@ fn changed(
                 .map_err(|error| error.to_string())?;
             let [from, to] = names;
             let words = BridgeAnswer::of(&result, from, to).text();
-            Ok((result.mesh, words))
+            Ok(Changed { mesh: result.mesh, words, first_new: Some(before) })
         }
     }
 }
@@ -252,7 +284,10 @@ mod tests {
         let found = |change, loops| shown(&asked(change, loops), bytes, Progress::NONE);
         let whole = found(Change::Nothing, "").unwrap();
         assert_eq!((whole.vertices, whole.triangles, whole.loops.len()), (8, 8, 2));
-        assert_eq!(found(Change::Fill, "").unwrap().triangles, 12);
+        let filled = found(Change::Fill, "").unwrap();
+        assert_eq!((filled.triangles, filled.first_new), (12, Some(8)));
+        // Of four vertices each.
+        assert_eq!(whole.loop_vertices.iter().map(String::len).collect::<Vec<_>>(), [24, 24]);
         assert_eq!(found(Change::Fill, "1").unwrap().triangles, 10);
         assert!(found(Change::Remesh, "").unwrap().min_angle > 20.0);
         assert!(found(Change::Fill, "7").unwrap_err().contains("no loop 8"));

@@ -264,19 +264,23 @@ fn of_a_huge_boundary_what_to_do_comes_first() {
         "domain": {"ring": regular(60_000)}, "view": "interior", "show": ["interior", "least", "command"]
     });
     let lines = lines(&request);
-    assert_eq!(kinds(&lines)[..4], ["domain", "mesh", "command", "refused"]);
-    assert_eq!(lines[3]["part"], "interior");
-    let message = lines[3]["message"].as_str().unwrap();
+    assert_eq!(kinds(&lines)[..4], ["domain", "command", "refused", "mesh"]);
+    assert_eq!(lines[2]["part"], "interior");
+    let message = lines[2]["message"].as_str().unwrap();
     assert!(message.contains("more than the page shows. \"Copy the command\""), "{message}");
 }
 
 #[test]
-fn of_a_large_boundary_what_is_looked_at_comes_first() {
+fn what_is_looked_at_comes_first_and_never_as_another_mesh() {
     let interior = json!({"growth": 1, "size_inside": 0.1});
     let request = json!({
         "domain": {"ring": regular(5_000), "interior": interior}, "view": "interior", "show": ["interior", "least"]
     });
     let lines = lines(&request);
-    assert_eq!(lines[2]["view"], "interior");
-    assert_eq!(lines[2]["is_last"], true);
+    let meshes: Vec<&Value> = lines.iter().filter(|line| line["kind"] == "mesh").collect();
+    for (mesh, is_last) in meshes.iter().zip([false, true]) {
+        assert_eq!((&mesh["view"], &mesh["is_last"]), (&json!("interior"), &json!(is_last)));
+        assert_ne!(mesh["interior_points"], "");
+    }
+    assert_eq!(meshes[2]["view"], "least");
 }

@@ -110,7 +110,7 @@ pub fn generate(
     options: &Options,
     progress: Progress<'_>,
 ) -> Result<Generated, InteriorError> {
-    generate_of(outline, options, usize::MAX, progress)
+    generate_of(outline, options, usize::MAX, None, progress)
 }
 
 /// [`generate`] with the first of its starts alone, as large meshes have it, whatever it reaches.
@@ -123,7 +123,24 @@ pub fn generate_once(
     options: &Options,
     progress: Progress<'_>,
 ) -> Result<Generated, InteriorError> {
-    generate_of(outline, options, 1, progress)
+    generate_of(outline, options, 1, None, progress)
+}
+
+/// Who is shown a mesh before it is worked on.
+type ShowDraft<'a> = &'a mut dyn FnMut(Generated);
+
+/// [`generate`]; `show` gets the mesh of the first packing, before it is worked on: that takes most of the time.
+///
+/// # Errors
+///
+/// As [`generate`].
+pub fn generate_showing(
+    outline: &PlanarBoundary,
+    options: &Options,
+    show: &mut dyn FnMut(Generated),
+    progress: Progress<'_>,
+) -> Result<Generated, InteriorError> {
+    generate_of(outline, options, usize::MAX, Some(show), progress)
 }
 
 /// [`generate`] with so many starts at most.
@@ -131,6 +148,7 @@ fn generate_of(
     outline: &PlanarBoundary,
     options: &Options,
     starts: usize,
+    mut show: Option<ShowDraft<'_>>,
     progress: Progress<'_>,
 ) -> Result<Generated, InteriorError> {
     options.check()?;
@@ -180,6 +198,28 @@ fn generate_of(
             continue;
         }
         begun.push(own);
+        let measured = |mesh: &ArrayMesh| {
+            let (points, triangles, _) = compact(mesh);
+            let wanted = Wanted {
+                interior: options.wanted.interior_degree(),
+                goals,
+                stars,
+                limits,
+                most: counted(options),
+            };
+            let limits_at = |broken: &[Violation]| {
+                let has = degrees_at_boundary(broken, |v| v);
+                self::limits(outline, |v| options.degree_limit(outline, v).max(has(v)))
+            };
+            let mut report = measure(&points, &triangles, &wanted, |v| v, limits_at);
+            report_joined(&mut report, outline, stars, &way, (&points, &triangles));
+            Generated { points, triangles, line_edges: breaklines.edges.clone(), report }
+        };
+        if let Some(show) = show.take()
+            && mesh.check().is_ok()
+        {
+            show(measured(&mesh));
+        }
         let weights = if seed.pairs { Weights::pairs } else { Weights::single };
         let weights = weights(&way, floor);
         let pairs = seed.pairs.then_some(Pairs::FOR_A_TRY);
@@ -191,21 +231,7 @@ fn generate_of(
         }
         finish(&mut mesh, &way, floor, &mut stage)?;
         mesh.check().map_err(InteriorError::NotFilled)?;
-        let (points, triangles, _) = compact(&mesh);
-        let wanted = Wanted {
-            interior: options.wanted.interior_degree(),
-            goals,
-            stars,
-            limits,
-            most: counted(options),
-        };
-        let limits_at = |broken: &[Violation]| {
-            let has = degrees_at_boundary(broken, |v| v);
-            self::limits(outline, |v| options.degree_limit(outline, v).max(has(v)))
-        };
-        let mut report = measure(&points, &triangles, &wanted, |v| v, limits_at);
-        report_joined(&mut report, outline, stars, &way, (&points, &triangles));
-        let found = Generated { points, triangles, line_edges: breaklines.edges.clone(), report };
+        let found = measured(&mesh);
         // The first way has the wanted growth.
         wanted_sizes.get_or_insert(field);
         let gain = best.as_ref().map(|best| gain(&found.report, &best.report, options));

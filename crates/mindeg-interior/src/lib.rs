@@ -118,7 +118,7 @@ mod worth;
 
 pub use asked::size_of_area;
 pub use edge_limits::edge_limit;
-pub use generate::{Generated, generate, generate_once};
+pub use generate::{Generated, generate, generate_once, generate_showing};
 pub use improve::{Improved, Keep, improve};
 pub use lengths::{CoarseEdge, SizeReport};
 pub use mindeg_domain::{Interior, Prefer, Size, SizeAt};

@@ -49,7 +49,7 @@ use posed::Posed;
 use crate::boundary_mesh::{lines, periodic_lines};
 use crate::regions::groups;
 use mindeg_domain::{Domain, Interior};
-use mindeg_interior::generate;
+use mindeg_interior::{Generated, generate, generate_showing};
 use mindeg_mesh::planar::PlanarBoundary;
 use mindeg_mesh::{Line, Progress, TriMesh};
 
@@ -81,10 +81,53 @@ pub fn mesh(
     wanted: &Interior,
     progress: Progress<'_>,
 ) -> Result<InteriorMesh, InteriorError> {
+    meshed(domain, wanted, None, progress)
+}
+
+/// The same; `show` gets a mesh soon: of the first packing of points, before it is worked on.
+///
+/// # Errors
+///
+/// Those of [`mesh`].
+pub fn mesh_showing(
+    domain: &Domain,
+    wanted: &Interior,
+    show: &mut dyn FnMut(InteriorMesh),
+    progress: Progress<'_>,
+) -> Result<InteriorMesh, InteriorError> {
+    meshed(domain, wanted, Some(show), progress)
+}
+
+fn meshed(
+    domain: &Domain,
+    wanted: &Interior,
+    show: Option<&mut dyn FnMut(InteriorMesh)>,
+    progress: Progress<'_>,
+) -> Result<InteriorMesh, InteriorError> {
     let posed = Posed::new(domain)?;
-    let found = generate(posed.boundary(), &posed.options(domain, wanted)?, progress)
-        .map_err(|error| posed.error(error))?;
-    let limit = AngleLimit::new(domain, &posed, &found.report.limits);
+    let options = posed.options(domain, wanted)?;
+    let boundary = posed.boundary();
+    let found = match show {
+        None => generate(boundary, &options, progress),
+        Some(show) => {
+            let mut draft = |found| {
+                if let Ok(mesh) = in_domain(domain, &posed, found) {
+                    show(mesh);
+                }
+            };
+            generate_showing(boundary, &options, &mut draft, progress)
+        }
+    };
+    in_domain(domain, &posed, found.map_err(|error| posed.error(error))?)
+}
+
+/// A mesh of the engine as one of the domain.
+fn in_domain(
+    domain: &Domain,
+    posed: &Posed<'_>,
+    found: Generated,
+) -> Result<InteriorMesh, InteriorError> {
+    let limit = AngleLimit::new(domain, posed, &found.report.limits);
     let found = posed.in_domain(found);
     let boundary = &posed.whole;
     let points = found.points.iter().map(|point| point.extend(0.0)).collect();
@@ -166,6 +209,26 @@ mod tests {
             assert_eq!(straight(&boundary.mesh.lines()), expected, "{intervals}");
             assert_eq!(straight(&filled.mesh.lines()), expected, "{intervals}");
         }
+    }
+
+    /// A draft is a mesh of the same boundary, and whoever sees it gets the same mesh in the end.
+    #[test]
+    fn a_draft_comes_first_and_changes_nothing() {
+        let domain = Domain::from_json(
+            r#"{"rectangle": {"width": 6, "height": 4}, "size": 0.3,
+                "lines": [{"corners": [[2, 1], [3, 1], [3, 2], [2, 2]], "closed": true}],
+                "regions": [{"at": [2.5, 1.5], "hole": true}]}"#,
+        )
+        .unwrap();
+        let wanted = Interior::default();
+        let mut drafts = Vec::new();
+        let shown = |draft: InteriorMesh| drafts.push(draft);
+        let found = mesh_showing(&domain, &wanted, &mut { shown }, Progress::NONE).unwrap();
+        assert_eq!(found, mesh(&domain, &wanted, Progress::NONE).unwrap());
+        let [draft] = &drafts[..] else { panic!("{} drafts", drafts.len()) };
+        let given = domain.boundary().unwrap().points().len();
+        assert_eq!(draft.mesh.positions()[..given], found.mesh.positions()[..given]);
+        assert!(draft.report.interior_points > 0 && *draft != found);
     }
 
     /// The mean length of the edges inside a disc that are on no side.

@@ -94,13 +94,26 @@ class SpaceStage {
     this.mark();
   }
 
-  /** Marks what is pointed at. */
+  /** Marks edges, pairs of vertices one after the other, from now on. */
+  emphasize(edges) {
+    this.emphasized = edges;
+    if (this.looks) this.mark();
+  }
+
+  /** Marks what is emphasized, and what is pointed at. */
   mark() {
     const context = this.overlay.getContext("2d");
     context.setTransform(this.dots, 0, 0, this.dots, 0, 0);
     context.clearRect(0, 0, this.camera.width, this.camera.height);
     const { vertex, triangle } = this.found;
     context.strokeStyle = this.looks.mark;
+    context.lineWidth = 3;
+    context.beginPath();
+    for (let i = 0; i < (this.emphasized ?? []).length; i += 2) {
+      context.moveTo(...this.placeOf(this.emphasized[i]));
+      context.lineTo(...this.placeOf(this.emphasized[i + 1]));
+    }
+    context.stroke();
     context.lineWidth = 2;
     context.beginPath();
     if (vertex !== undefined) context.arc(...this.placeOf(vertex), 8, 0, 2 * Math.PI);
