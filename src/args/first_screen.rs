@@ -9,7 +9,7 @@ type Groups = [(&'static str, &'static [&'static str])];
 /// The arguments that `-h` shows of `mesh`, which has very many, under headings of its own and in this order.
 const OF_MESH: &Groups = &[
     ("", &["domain"]),
-    ("Mesh", &["interior", "for", "target_angle", "growth", "keep_angle", "max_degree", "preset"]),
+    ("Mesh", &["interior", "for", "target_angle", "keep_angle", "max_degree", "preset"]),
     ("Sizes", &["rectangle", "size"]),
     ("Output", &["output", "json"]),
 ];

@@ -248,7 +248,10 @@ impl Domain {
         let holes = (!holes.is_empty()).then(|| {
             let names = match &holes[..] {
                 [one] => one.clone(),
-                [first, .., last] => format!("{} holes, {first} to {last},", holes.len()),
+                [one, other] => format!("{one} and {other}"),
+                [one, other, ..] => {
+                    format!("{} holes, among them {one} and {other},", holes.len())
+                }
                 [] => String::new(),
             };
             format!(

@@ -9,13 +9,14 @@ use mindeg_answers::loops::{BridgeAnswer, FillAnswer, LoopName, OpenLoop};
 use mindeg_answers::stitch::StitchAnswer;
 use mindeg_exact::{BridgeProblem, LoopLimit, LoopProblem, bridge_rings, fill_loop as filled};
 use numpy::PyArray2;
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::arrays;
 use crate::dict::dict;
 use crate::domain::Domain;
-use crate::mesh::{Facts, Mesh, mesh_argument, tri_mesh};
+use crate::mesh::{Facts, Mesh, tri_mesh};
 use crate::work::{done, value_error};
 
 /// The triangles, and what is known of them.
@@ -239,6 +240,17 @@ pub(crate) fn stitch(
     let report = dict(py, &StitchAnswer::of(&found))?.cast_into::<PyDict>()?;
     let facts = Facts { report: Some(report.unbind()), projection, ..Facts::default() };
     Ok(Mesh::new(found.mesh, facts))
+}
+
+/// The mesh that an argument is.
+fn mesh_argument<'a>(given: &'a Bound<'_, PyAny>, name: &str) -> PyResult<&'a Mesh> {
+    match given.cast::<Mesh>() {
+        Ok(mesh) => Ok(mesh.get()),
+        Err(_) => Err(PyTypeError::new_err(format!(
+            "{name} is a {}; give a mindeg.Mesh, which mindeg.read makes of a file",
+            given.get_type().name()?
+        ))),
+    }
 }
 
 /// The index of the loop through a vertex.

@@ -11,7 +11,6 @@ use mindeg_answers::demands::Demands;
 use mindeg_files::{Input, Session, svg};
 use mindeg_mesh::{ByName, PeriodicLine, filled};
 use numpy::{PyArray1, PyArray2};
-use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -388,16 +387,5 @@ pub(crate) fn tri_mesh(
         _ => Err(value_error(
             "give a mesh, or points and triangles; mindeg.read makes a mesh of a file",
         )),
-    }
-}
-
-/// The mesh that an argument is.
-pub(crate) fn mesh_argument<'a>(given: &'a Bound<'_, PyAny>, name: &str) -> PyResult<&'a Mesh> {
-    match given.cast::<Mesh>() {
-        Ok(mesh) => Ok(mesh.get()),
-        Err(_) => Err(PyTypeError::new_err(format!(
-            "{name} is a {}; give a mindeg.Mesh, which mindeg.read makes of a file",
-            given.get_type().name()?
-        ))),
     }
 }
