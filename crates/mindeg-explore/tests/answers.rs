@@ -272,9 +272,9 @@ fn of_a_huge_boundary_what_to_do_comes_first() {
 
 #[test]
 fn what_is_looked_at_comes_first_and_never_as_another_mesh() {
-    let interior = json!({"growth": 1, "size_inside": 0.1});
+    let interior = json!({});
     let request = json!({
-        "domain": {"ring": regular(5_000), "interior": interior}, "view": "interior", "show": ["interior", "least"]
+        "domain": {"ring": regular(500), "interior": interior}, "view": "interior", "show": ["interior", "least"]
     });
     let lines = lines(&request);
     let meshes: Vec<&Value> = lines.iter().filter(|line| line["kind"] == "mesh").collect();

@@ -215,8 +215,10 @@ fn generate_of(
             report_joined(&mut report, outline, stars, &way, (&points, &triangles));
             Generated { points, triangles, line_edges: breaklines.edges.clone(), report }
         };
-        if let Some(show) = show.take()
+        // Without a point inside it is no picture of what comes.
+        if mesh.vertices.len() > stays
             && mesh.check().is_ok()
+            && let Some(show) = show.take()
         {
             show(measured(&mesh));
         }

@@ -121,7 +121,7 @@ fn reads_holes_rings_and_curves() {
     assert!(rings.rings().eq([0..12, 12..19, 19..22, 22..28, 28..34, 34..38]));
     let notes = domain.notes();
     assert!(
-        notes.len() == 1 && notes[0].starts_with("The corners of hole 1 and hole 2 ran"),
+        notes.len() == 1 && notes[0].starts_with("The corners of hole 1 and hole 3 ran"),
         "{notes:?}"
     );
     // Turned: from the first corner back.
