@@ -277,6 +277,16 @@ test("a file that is started with or dropped is repaired, named after its stem, 
   }
 });
 
+test("the curve is in the first screen beside the picture", async () => {
+  const page = await openNew();
+  for (const name of ["boundary-layer-channel", "wing-panel"]) {
+    if (name !== "boundary-layer-channel") await choose(page, name);
+    const box = await page.locator("#curve svg").boundingBox();
+    assert.ok(box.y + box.height <= 900, `${name}: it ends ${box.y + box.height} pixels down`);
+  }
+  await page.context().close();
+});
+
 test("of no example are corners, words or figures cut, and the download is beside or below its picture", async () => {
   for (const [width, height] of [[390, 844], [800, 900], [1400, 900]]) {
     const page = await openNew({ viewport: { width, height } });

@@ -2,7 +2,7 @@
 // From the viewer's script: angleText.
 
 const NAMESPACE = "http://www.w3.org/2000/svg";
-const [WIDTH, HEIGHT] = [380, 200];
+const [WIDTH, HEIGHT] = [380, 180];
 const [LEFT, RIGHT, TOP, BOTTOM] = [46, 16, 30, 38];
 
 function draw(tag, attributes, text) {

@@ -13,6 +13,7 @@ use askama::Template;
 use glam::DVec2;
 use mindeg::Bounds;
 use mindeg::exact::{ExactMesh, TradeOff};
+use mindeg::quality::TriangleQuality;
 use mindeg_answers::advice::{Advice, KEPT, Purpose};
 use mindeg_answers::numbers::{count, percent, steady_angle, steady_percent};
 use mindeg_formats::svg::Inset;
@@ -141,6 +142,15 @@ pub fn write_trade_off_html(
             },
         );
     }
+    // The mesh to take comes first.
+    let taken = match (advice.purposes(told).first(), advised(trade_off)) {
+        (Some(Purpose::Patch), Some(exact)) => format!("degree-{}", exact.max_degree),
+        (Some(Purpose::Fewest), _) => format!("degree-{}", meshes[0].max_degree),
+        _ => "points-inside".to_owned(),
+    };
+    if let Some(place) = figures.iter().position(|figure| figure.id == taken) {
+        figures[..=place].rotate_right(1);
+    }
     let intervals: Vec<u32> = domain.rings().sides().collect();
     let inset = Inset::new(bounds, space);
     let page = Page {
@@ -164,7 +174,7 @@ pub fn write_trade_off_html(
         size: DVec2::new(MESH.x, inset.size().y + 2.0 * MARGIN).round(),
         stretch: inset.stretch(),
         figures,
-        table: table(trade_off),
+        table: table(trade_off, advice, inside),
         script: ZOOM_SCRIPT,
     };
     out.write_all(rendered(&page)?.as_bytes())
@@ -206,7 +216,16 @@ fn verdict(trade_off: &TradeOff, advice: &Advice, told: Option<Purpose>) -> Vec<
     sentences
 }
 
-fn table(trade_off: &TradeOff) -> Table {
+/// The maximum angle of a mesh, in degrees.
+fn max_angle(mesh: &TriMesh) -> f64 {
+    let angle = |triangle: &[u32; 3]| {
+        let [a, b, c] = triangle.map(|vertex| mesh.positions()[vertex as usize]);
+        TriangleQuality::in_space(a, b, c).max_angle
+    };
+    mesh.triangles().iter().map(angle).fold(0.0, f64::max)
+}
+
+fn table(trade_off: &TradeOff, advice: &Advice, inside: Option<&TriMesh>) -> Table {
     let row = |exact: &ExactMesh| {
         vec![
             count(exact.max_degree),
@@ -215,12 +234,20 @@ fn table(trade_off: &TradeOff) -> Table {
             steady_angle(exact.mesh.angle_range().max),
         ]
     };
+    let with_points = inside.zip(advice.solver).map(|(mesh, found)| {
+        vec![
+            format!("{}, points inside", count(found.max_degree)),
+            steady_angle(found.min_angle),
+            found.share_of_delaunay.map_or_else(|| "–".to_owned(), steady_percent),
+            steady_angle(max_angle(mesh)),
+        ]
+    });
     Table {
         title: "What each degree buys".to_owned(),
         note: String::new(),
         columns: ["Maximum degree", "Minimum angle", "Share of Delaunay's", "Maximum angle"]
             .map(str::to_owned)
             .into(),
-        rows: trade_off.meshes().iter().map(row).collect(),
+        rows: with_points.into_iter().chain(trade_off.meshes().iter().map(row)).collect(),
     }
 }
