@@ -132,10 +132,15 @@ fn with_depths(
     mesh: TriMesh,
     depths: Option<&Depths>,
     least: Option<f64>,
-) -> (TriMesh, Option<String>) {
-    let Some(depths) = depths else { return (mesh, None) };
+) -> Result<(TriMesh, Option<String>), Failure> {
+    let Some(depths) = depths else { return Ok((mesh, None)) };
     let points = || mesh.positions().iter().map(|point| point.truncate());
     let beyond = points().filter(|point| depths.is_beyond(*point)).count();
+    if beyond == mesh.positions().len() {
+        return Err(Failure::input(
+            "--depth: no vertex of the mesh lies on the grid of depths; give the grid of this region",
+        ));
+    }
     let mut raised = 0;
     let values: Vec<f64> = points()
         .map(|point| {
@@ -156,7 +161,7 @@ fn with_depths(
         words +=
             &format!("; {} beyond the grid, which got the nearest depth", count(beyond as u64));
     }
-    (mesh.with_depths(values), Some(words))
+    Ok((mesh.with_depths(values), Some(words)))
 }
 
 /// The domains with their boundaries conditioned, if that is wanted, and with their open water; and the changes.
@@ -225,7 +230,8 @@ pub(super) fn run(
     making.open()?;
     let meshed = making.work(|progress| interior::mesh(domain, wanted, progress));
     let found = meshed.map_err(|error| refused(domain, wanted, &error))?;
-    let (mesh, depth_words) = with_depths(found.mesh, depths.as_ref(), arguments.depth.least_depth);
+    let (mesh, depth_words) =
+        with_depths(found.mesh, depths.as_ref(), arguments.depth.least_depth)?;
     let found = InteriorMesh { mesh, ..found };
     let InteriorMesh { mesh, report, limit, .. } = &found;
     let lifting = Lifting::from_limit(domain, wanted, limit.clone(), 1).map_err(Failure::input)?;
@@ -276,7 +282,8 @@ pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Res
     making.open()?;
     let meshed = making.work(|progress| interior::mesh_all(&domains, &wanted, progress));
     let mut found = meshed.map_err(|(index, error)| refused(&domains[index], &wanted, &error))?;
-    let (mesh, depth_words) = with_depths(found.mesh, depths.as_ref(), arguments.depth.least_depth);
+    let (mesh, depth_words) =
+        with_depths(found.mesh, depths.as_ref(), arguments.depth.least_depth)?;
     found = InteriorMesh { mesh, ..found };
     let name = polygons.name();
     if let Some(name) = name {

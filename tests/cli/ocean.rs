@@ -422,3 +422,15 @@ fn channels_get_as_many_edges_across_as_asked() {
         mindeg([&run[..], &["-o", &path("x.14")]].concat()).refuses(&["across"]);
     }
 }
+
+#[test]
+fn depths_of_another_region_are_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let grid = "ncols 2\nnrows 2\nxllcenter 1000\nyllcenter 1000\ncellsize 1\n5 5\n5 5\n";
+    std::fs::write(path("far.asc"), grid).expect("a file");
+    let (depth, out) = (path("far.asc"), path("sea.14"));
+    let sea = ["mesh", "--rectangle", "4x3", "--size", "1", "--interior", "--depth", &depth, "-o"];
+    mindeg([&sea[..], &[&out]].concat()).refuses(&["no vertex of the mesh lies on the grid"]);
+    assert!(!Path::new(&out).exists());
+}

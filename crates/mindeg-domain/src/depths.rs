@@ -108,9 +108,11 @@ impl Depths {
             return (point - self.origin) / self.spacing;
         };
         let mut at = projection.to_degrees(point);
-        // Grids begin at -180° or at 0°.
+        // Grids begin at -180° or at 0°, and longitudes go on across the antimeridian.
         if at.x < self.origin.x - self.spacing.x {
             at.x += 360.0;
+        } else if at.x - 360.0 >= self.origin.x - self.spacing.x {
+            at.x -= 360.0;
         }
         (at - self.origin) / self.spacing
     }

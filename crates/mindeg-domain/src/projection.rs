@@ -142,14 +142,17 @@ impl Projection {
         }
     }
 
-    /// Degrees of longitude, from -180 to 180, and latitude of a point given in metres.
+    /// Degrees of longitude and latitude of a point given in metres. Longitudes are within half a turn of the middle of the
+    /// projection, so that they go on across the antimeridian: about 180° E, from 0 to 360.
     #[must_use]
     pub fn to_degrees(&self, plane: DVec2) -> DVec2 {
+        let middle = match self.kind {
+            Kind::Utm { zone, .. } => middle_of(zone),
+            Kind::Stereographic { center, .. } | Kind::EqualArea { center, .. } => center.x,
+        };
         let radians = match self.kind {
-            Kind::Utm { zone, is_south } => {
-                TransverseMercator::new(&self.ellipsoid, middle_of(zone))
-                    .inverse(plane - utm_origin(is_south))
-            }
+            Kind::Utm { is_south, .. } => TransverseMercator::new(&self.ellipsoid, middle)
+                .inverse(plane - utm_origin(is_south)),
             Kind::Stereographic { center, true_latitude } => {
                 Azimuthal::stereographic(&self.ellipsoid, center, true_latitude).inverse(plane)
             }
@@ -157,7 +160,15 @@ impl Projection {
                 Azimuthal::equal_area(&self.ellipsoid, center).inverse(plane - false_origin)
             }
         };
-        DVec2::new(wrapped(radians.x.to_degrees()), radians.y.to_degrees())
+        let longitude = wrapped(radians.x.to_degrees());
+        let turn = if longitude - middle > 180.0 {
+            -360.0
+        } else if longitude - middle < -180.0 {
+            360.0
+        } else {
+            0.0
+        };
+        DVec2::new(longitude + turn, radians.y.to_degrees())
     }
 
     /// A length in the plane over that on the ground, at a point given in degrees, along the meridian.

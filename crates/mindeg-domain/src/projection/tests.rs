@@ -40,6 +40,23 @@ fn points_are_where_proj_puts_them_and_come_back() {
     }
 }
 
+/// A sea across the antimeridian had triangles round the whole globe in formats in degrees.
+#[test]
+fn longitudes_go_on_across_the_antimeridian() {
+    for text in [
+        "+proj=utm +zone=60",
+        "+proj=stere +lat_0=-15 +lon_0=179",
+        "+proj=laea +lat_0=-15 +lon_0=-179",
+    ] {
+        let projection: Projection = text.parse().unwrap();
+        let around = |longitude: f64| {
+            projection.to_degrees(projection.to_plane(DVec2::new(longitude, -17.0))).x
+        };
+        let step = around(-179.0) - around(179.0);
+        assert!((step - 2.0).abs() < 1e-9, "{text}: {step}");
+    }
+}
+
 #[test]
 fn centers_and_poles_come_back() {
     for (text, degrees) in [
