@@ -198,7 +198,7 @@ fn draw_changes(
 /// Below this limit in degrees the boundary is worth changing: meshes need 20 to 30.
 const POOR_LIMIT: f64 = 20.0;
 
-/// What lifts a poor limit, unless it is the angle of a corner itself.
+/// The option that lifts a poor limit, unless it is the angle of a corner itself.
 fn condition_hint(arguments: &MeshArguments, limit: &AngleLimit) -> Option<String> {
     let is_sharp =
         matches!(limit.cause, Cause::Corner { angle, .. } if angle < limit.min_angle * 1.01);

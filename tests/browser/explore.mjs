@@ -440,7 +440,7 @@ test("a surface is turned, meshed anew and filled, and the file is downloaded", 
   await page.mouse.move(box.x + 180, box.y + 120, { steps: 4 });
   await page.mouse.up();
   await another(look, [first]);
-  // What is ticked and what is new is marked: four edges of a loop, and the rims of two lids.
+  // Ticked loops and new triangles are marked: four edges of a loop, and the rims of two lids.
   const marked = (place) => page.locator("#solid-meshes .stage").nth(place).getAttribute("data-marked");
   const unmarked = await look();
   await page.locator("#solid-loops input").first().check();

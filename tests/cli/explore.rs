@@ -119,7 +119,7 @@ mod page {
         assert!(words.contains("a surface in space") && words.contains("whole model"), "{words}");
     }
 
-    /// What is repaired when it is dropped is repaired when the page starts with it, with options or without.
+    /// A file that is repaired when it is dropped is repaired when the page starts with it, with options or without.
     #[test]
     fn what_touches_or_overlaps_is_repaired_with_a_note() {
         let folder = tempfile::tempdir().expect("a folder");

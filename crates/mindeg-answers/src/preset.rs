@@ -50,7 +50,7 @@ const NOTHING: PresetRules = PresetRules {
 
 /// All presets.
 //
-// What the sources say, looked up in November 2026. Rules that no source gives are not here: none of these programs states a
+// The comments say where each rule stands, looked up in November 2026. Rules that no source gives are not here: none of these programs states a
 // least angle or a greatest degree but SWAN, and the rule of FVCOM is one of its tools.
 pub static PRESETS: [PresetRules; 8] = [
     // docs/technical_reference/parameter_definitions/index.rst, NM: corners counter-clockwise. src/mesh.F,

@@ -152,7 +152,7 @@ impl Cover {
     ) -> Result<Decision, Cancelled> {
         let ends: u64 = most_chords.iter().map(|&most| u64::from(most)).sum();
         if ends < 2 * self.chord_count {
-            return Ok(Decision::Refuted(Refutation { clauses: vec![Vec::new()] }));
+            return Ok(Decision::Refuted(Refutation::at_once()));
         }
         let stage = Stage::new(progress, "searching all triangulations");
         let mut turn = (*left / FIRST_TURN).max(1);

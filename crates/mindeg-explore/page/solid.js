@@ -17,7 +17,7 @@ export async function beginSolid(dropped) {
   element("solid").hidden = false;
   element("title").textContent = file.name;
   element("facts").textContent = "A surface in space";
-  // Those of the map before.
+  // The buttons of the map before.
   element("choose").hidden = true;
   await show("nothing");
 }

@@ -117,7 +117,7 @@ impl Answering<'_> {
             (self.out)(&AnswerLine::Command { text });
         }
         let is_enough = self.soon();
-        // What a reader looks at comes before all searches.
+        // The view that a reader looks at comes before all searches.
         let is_first = self.request.view == View::Interior;
         if is_first && self.shows(Part::Interior) {
             self.interior()?;
@@ -169,8 +169,8 @@ impl Answering<'_> {
     fn interior(&mut self) -> Result<(), Cancelled> {
         let Answering { request, domain, .. } = *self;
         let made = if self.shows(Part::Interior) {
-            let mut show = |draft: &InteriorMesh| {
-                let shown = Figure::draft(domain, draft).shown(View::Interior, false, request);
+            let mut show = |draft: InteriorMesh| {
+                let shown = Figure::draft(domain, &draft).shown(View::Interior, false, request);
                 (self.out)(&AnswerLine::Mesh(Box::new(shown)));
             };
             Made::interior(domain, Some(&mut show), self.progress)

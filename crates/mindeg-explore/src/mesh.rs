@@ -55,21 +55,16 @@ impl Made {
     ///
     /// # Errors
     ///
-    /// Those of [`Made::new`].
+    /// The errors of [`Made::new`].
     pub(crate) fn interior(
         domain: &Domain,
-        show: Option<&mut dyn FnMut(&InteriorMesh)>,
+        show: Option<&mut dyn FnMut(InteriorMesh)>,
         progress: Progress<'_>,
     ) -> Result<Self, String> {
         let wanted = domain.interior().cloned().unwrap_or_default();
         let most = wanted.max_points.map_or(MAX_POINTS, |most| most.min(MAX_POINTS));
         let wanted = Interior { max_points: Some(most), ..wanted };
-        let found = match show {
-            Some(show) => {
-                interior::mesh_showing(domain, &wanted, &mut |draft| show(&draft), progress)
-            }
-            None => interior::mesh(domain, &wanted, progress),
-        };
+        let found = interior::mesh_showing(domain, &wanted, show, progress);
         found.map(|found| Self::Interior(Box::new(found))).map_err(|error| match error {
             InteriorError::TooManyPoints { max: MAX_POINTS } => format!(
                 "It has more than {MAX_POINTS} points, more than the page shows. \"Copy the command\" gives the command \

@@ -61,7 +61,7 @@ pub fn sources(session: &Session, input: &Input<'_>) -> Result<Vec<Source>, File
     best.map(Found::told)
 }
 
-/// What a file holds.
+/// The content of a file, as the page takes it.
 struct Found {
     sources: Vec<Source>,
     /// Why its polygons are no map.

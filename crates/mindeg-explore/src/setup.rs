@@ -16,6 +16,6 @@ pub struct Setup {
     pub surface: Vec<u8>,
     /// Files that the page's commands may name.
     pub known: KnownFiles,
-    /// What the mesh is for, if that is known.
+    /// The purpose of the mesh, if that is known.
     pub purpose: Option<Purpose>,
 }

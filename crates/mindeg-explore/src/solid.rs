@@ -208,7 +208,7 @@ fn surface(input: &Input<'_>, progress: Progress<'_>) -> Result<(TriMesh, String
 /// A surface with what was asked for.
 struct Changed {
     mesh: TriMesh,
-    /// What was done, in sentences.
+    /// The change that was made, in sentences.
     words: String,
     /// The first of the triangles that were added.
     first_new: Option<u32>,

@@ -9,7 +9,7 @@ pub(crate) fn without_options(text: &str) -> String {
     lines.collect::<Vec<_>>().join("\n")
 }
 
-/// What an option begins with.
+/// The beginning of an option.
 const OPTION: &str = " --";
 
 fn line_without_options(line: &str) -> String {

@@ -110,7 +110,7 @@ pub fn generate(
     options: &Options,
     progress: Progress<'_>,
 ) -> Result<Generated, InteriorError> {
-    generate_of(outline, options, usize::MAX, None, progress)
+    generate_showing(outline, options, None, progress)
 }
 
 /// [`generate`] with the first of its starts alone, as large meshes have it, whatever it reaches.
@@ -126,10 +126,7 @@ pub fn generate_once(
     generate_of(outline, options, 1, None, progress)
 }
 
-/// Who is shown a mesh before it is worked on.
-type ShowDraft<'a> = &'a mut dyn FnMut(Generated);
-
-/// [`generate`]; `show` gets the mesh of the first packing, before it is worked on: that takes most of the time.
+/// [`generate`]; `show`, if it is given, gets the mesh of the first packing, before it is worked on: that takes most of the time.
 ///
 /// # Errors
 ///
@@ -137,10 +134,10 @@ type ShowDraft<'a> = &'a mut dyn FnMut(Generated);
 pub fn generate_showing(
     outline: &PlanarBoundary,
     options: &Options,
-    show: &mut dyn FnMut(Generated),
+    show: Option<&mut dyn FnMut(Generated)>,
     progress: Progress<'_>,
 ) -> Result<Generated, InteriorError> {
-    generate_of(outline, options, usize::MAX, Some(show), progress)
+    generate_of(outline, options, usize::MAX, show, progress)
 }
 
 /// [`generate`] with so many starts at most.
@@ -148,7 +145,7 @@ fn generate_of(
     outline: &PlanarBoundary,
     options: &Options,
     starts: usize,
-    mut show: Option<ShowDraft<'_>>,
+    mut show: Option<&mut dyn FnMut(Generated)>,
     progress: Progress<'_>,
 ) -> Result<Generated, InteriorError> {
     options.check()?;

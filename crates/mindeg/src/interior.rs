@@ -49,7 +49,7 @@ use posed::Posed;
 use crate::boundary_mesh::{lines, periodic_lines};
 use crate::regions::groups;
 use mindeg_domain::{Domain, Interior};
-use mindeg_interior::{Generated, generate, generate_showing};
+use mindeg_interior::{Generated, generate_showing};
 use mindeg_mesh::planar::PlanarBoundary;
 use mindeg_mesh::{Line, Progress, TriMesh};
 
@@ -81,24 +81,15 @@ pub fn mesh(
     wanted: &Interior,
     progress: Progress<'_>,
 ) -> Result<InteriorMesh, InteriorError> {
-    meshed(domain, wanted, None, progress)
+    mesh_showing(domain, wanted, None, progress)
 }
 
-/// The same; `show` gets a mesh soon: of the first packing of points, before it is worked on.
+/// The same; `show`, if it is given, gets a mesh soon: of the first packing of points, before it is worked on.
 ///
 /// # Errors
 ///
-/// Those of [`mesh`].
+/// The errors of [`mesh`].
 pub fn mesh_showing(
-    domain: &Domain,
-    wanted: &Interior,
-    show: &mut dyn FnMut(InteriorMesh),
-    progress: Progress<'_>,
-) -> Result<InteriorMesh, InteriorError> {
-    meshed(domain, wanted, Some(show), progress)
-}
-
-fn meshed(
     domain: &Domain,
     wanted: &Interior,
     show: Option<&mut dyn FnMut(InteriorMesh)>,
@@ -107,17 +98,15 @@ fn meshed(
     let posed = Posed::new(domain)?;
     let options = posed.options(domain, wanted)?;
     let boundary = posed.boundary();
-    let found = match show {
-        None => generate(boundary, &options, progress),
-        Some(show) => {
-            let mut draft = |found| {
-                if let Ok(mesh) = in_domain(domain, &posed, found) {
-                    show(mesh);
-                }
-            };
-            generate_showing(boundary, &options, &mut draft, progress)
+    let mut draft = show.map(|show| {
+        |found| {
+            if let Ok(mesh) = in_domain(domain, &posed, found) {
+                show(mesh);
+            }
         }
-    };
+    });
+    let draft = draft.as_mut().map(|draft| draft as &mut dyn FnMut(Generated));
+    let found = generate_showing(boundary, &options, draft, progress);
     in_domain(domain, &posed, found.map_err(|error| posed.error(error))?)
 }
 
@@ -222,8 +211,8 @@ mod tests {
         .unwrap();
         let wanted = Interior::default();
         let mut drafts = Vec::new();
-        let shown = |draft: InteriorMesh| drafts.push(draft);
-        let found = mesh_showing(&domain, &wanted, &mut { shown }, Progress::NONE).unwrap();
+        let mut show = |draft: InteriorMesh| drafts.push(draft);
+        let found = mesh_showing(&domain, &wanted, Some(&mut show), Progress::NONE).unwrap();
         assert_eq!(found, mesh(&domain, &wanted, Progress::NONE).unwrap());
         let [draft] = &drafts[..] else { panic!("{} drafts", drafts.len()) };
         let given = domain.boundary().unwrap().points().len();

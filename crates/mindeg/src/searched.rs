@@ -114,7 +114,7 @@ impl<'p, 'd> Searched<'p, 'd> {
             }
             return Ok(self.meshed(&exact, is_exact && exact.is_proven));
         }
-        // What is left undecided everywhere.
+        // Every degree is left undecided.
         Ok(self.meshed(&self.within(highest)?, false))
     }
 

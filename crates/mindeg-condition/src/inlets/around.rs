@@ -69,7 +69,7 @@ impl<'a> Whole<'a> {
         self.left.get(&[b, a]).copied().filter(|_| !self.is_line([a, b]))
     }
 
-    /// What is round shores; none if that is not a domain.
+    /// The surroundings of shores; none if that is not a domain.
     pub(super) fn around(&self, shores: &[Vec<u32>]) -> Option<Around> {
         let mut own = Cut { whole: self, triangles: BTreeSet::new(), queue: Vec::new() };
         for vertex in shores.iter().flatten() {
@@ -243,7 +243,7 @@ impl Around {
     }
 }
 
-/// What a mesh of surroundings is like.
+/// The measures of a mesh of surroundings.
 pub(super) struct Meshed {
     /// The minimum angle of the triangles at the shores, in degrees.
     pub(super) angle: f64,
@@ -282,7 +282,7 @@ fn corners(chains: &Chains, ring: &[Rim], step: Option<Step>) -> Vec<Corner> {
     for (index, rim) in alive.iter().enumerate() {
         match (&rim.place, &alive[(index + 1) % alive.len()].place) {
             (Place::Vertex(from), Place::Vertex(to)) if rim.is_shore => {
-                // What there is now between two vertices of the rim.
+                // The chain as it is now between two vertices of the rim.
                 let own = std::iter::successors(Some(*from), |v| Some(chains.next(*v)));
                 for v in own.take_while(|v| v != to).filter(|v| !is_dropped(*v)) {
                     corners.push(corner(v));

@@ -25,7 +25,7 @@ impl Cover {
         if is_enough(measure::degrees(least_tangent(problem.points(), known))) {
             return Ok(Decision::Mesh(vec![known.to_vec()]));
         }
-        let refuted = Decision::Refuted(Refutation { clauses: vec![Vec::new()] });
+        let refuted = Decision::Refuted(Refutation::at_once());
         let Some(limits) = problem.degree_limits(max_degree) else { return Ok(refuted) };
         let tangents = self.tangents_above(f64::NEG_INFINITY);
         let first = tangents.partition_point(|&tangent| !is_enough(measure::degrees(tangent)));

@@ -19,6 +19,14 @@ pub struct Refutation {
     pub clauses: Vec<Vec<Literal>>,
 }
 
+impl Refutation {
+    /// The empty clause alone, which the rows refute at once.
+    #[must_use]
+    pub(crate) fn at_once() -> Self {
+        Self { clauses: vec![Vec::new()] }
+    }
+}
+
 /// One statement on a triangulation: it has a chord or triangle, or lacks it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Literal {
