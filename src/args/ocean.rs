@@ -9,7 +9,7 @@ use mindeg::glam::DVec2;
 use mindeg::{DepthRules, Depths, Domain, OpenWater, Opening, Projection};
 use mindeg_answers::numbers::count;
 use mindeg_files::Input;
-use mindeg_mesh::significant;
+use mindeg_mesh::{LineKind, significant};
 use std::borrow::Cow;
 use std::path::PathBuf;
 
@@ -49,13 +49,16 @@ impl BoundaryKinds {
 
     /// Gives domains beside each other these kinds of sides.
     pub(crate) fn told<'d>(&self, domains: &'d [Domain]) -> Result<Cow<'d, [Domain]>, Failure> {
-        if self.is_empty() {
-            return match self.least_opening {
-                None => Ok(Cow::Borrowed(domains)),
-                Some(_) => Err(Failure::input(
-                    "--least-opening is for open water: add --open or --open-between",
-                )),
-            };
+        if self.is_empty() && self.least_opening.is_some() {
+            return Err(Failure::input(
+                "--least-opening is for open water: add --open or --open-between",
+            ));
+        }
+        // Files say what is open water, too.
+        let is_open =
+            |domain: &Domain| domain.sides().iter().any(|side| side.kind == Some(LineKind::Open));
+        if self.is_empty() && !domains.iter().any(is_open) {
+            return Ok(Cow::Borrowed(domains));
         }
         let part = |name: &String| match &**name {
             "box" => OpenWater::Box,

@@ -292,7 +292,6 @@ fn kinds_of_lines_in_geojson_reach_the_mesh_and_come_back() {
     let grid = fort14(Path::new(&grid));
     assert_eq!(grid.open.len(), 1);
     assert!(grid.open[0].iter().all(|node| (grid.points[*node][0] - 24.5).abs() < 1e-3));
-    assert_eq!(grid.closed.iter().filter(|(kind, _)| *kind == 1).count(), 1);
     let map: Value = serde_json::from_slice(&fs::read(&map).expect("a map")).expect("JSON");
     let lines = map["features"].as_array().expect("features").iter();
     let told: Vec<[&Value; 2]> = lines
@@ -302,6 +301,25 @@ fn kinds_of_lines_in_geojson_reach_the_mesh_and_come_back() {
         .collect();
     assert!(told.contains(&[&json!("strait"), &json!("open")]), "{told:?}");
     assert!(told.contains(&[&json!("rock"), &json!("island")]), "{told:?}");
+}
+
+#[test]
+fn open_water_of_a_file_leaves_one_land_boundary() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [grid, map] =
+        ["bay.14", "bay.geojson"].map(|name| folder.path().join(name).display().to_string());
+    let bay = r#"{"polygon": {"corners": [[0, 0], [3, 0], [4, 2], [3, 3], [1, 3], [-1, 1]]}, "size": 1,
+        "sides": [{}, {}, {"kind": "open"}, {}, {}, {}]}"#;
+    let mesh = ["mesh", "-", "--interior", "-o", &grid, "-o", &map];
+    mindeg_reading(mesh, bay.as_bytes()).text();
+    let grid = fort14(Path::new(&grid));
+    let [(0, land)] = &grid.closed[..] else { panic!("{:?}", grid.closed) };
+    let ends = |nodes: &[usize]| [nodes[0], *nodes.last().expect("an end")];
+    let [from, to] = ends(&grid.open[0]);
+    assert_eq!((ends(land), grid.open.len()), ([to, from], 1));
+    // Formats with kinds have them, too.
+    let map = fs::read_to_string(map).expect("a map");
+    assert!(map.contains(r#""kind": "land""#) || map.contains(r#""kind":"land""#), "{map}");
 }
 
 #[test]

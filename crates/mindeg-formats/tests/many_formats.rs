@@ -99,7 +99,9 @@ proptest! {
             prop_assert_eq!(read.positions(), &points[..], "{:?}", format);
             prop_assert_eq!(read.triangles(), &faces[..], "{:?}", format);
             let lines = match format {
-                Format::Node | Format::Fort14 | Format::Npz => names(&mesh),
+                Format::Node | Format::Npz => names(&mesh),
+                // Sides without names are one land boundary.
+                Format::Fort14 => vec!["land".to_owned()],
                 Format::Sms2dm => {
                     (1..=mesh.lines().len()).map(|i| format!("node string {i}")).collect()
                 }
@@ -447,6 +449,53 @@ fn ring() -> TriMesh {
 
 fn text(files: &Files, file: usize) -> String {
     String::from_utf8(files[file].1.clone()).unwrap()
+}
+
+#[test]
+fn sides_without_a_name_of_their_own_are_one_land_boundary() {
+    // The outer ring begins within land, and the pier is no bend of it.
+    let line = |name: &str, segments| Line { name: name.to_owned(), segments, is_straight: false };
+    let names_of = |names: [&str; 6]| {
+        let segments = [0..1, 1..2, 2..3, 3..4, 4..7, 7..8];
+        let lines = names.iter().zip(segments).map(|(name, segments)| line(name, segments));
+        let mesh = ring();
+        let segments = mesh.segments().to_vec();
+        let kinds = [None, Some(LineKind::Open), None, None, None, None].to_vec();
+        let mesh = mesh.with_lines(lines.collect(), segments).unwrap().with_line_kinds(kinds);
+        text(&write(&mesh, Format::Fort14, exact()), 0)
+    };
+    let counted = names_of(["side 1", "mouth", "side 3", "side 4", "hole side 1", "hole side 2"]);
+    let tail = "
+ 2 = number of land boundaries
+ 8 = number of all nodes of land boundaries
+ 4 0 = nodes of land boundary 1 (land)
+ 3
+ 4
+ 1
+ 2
+ 4 1 = nodes of island boundary 2 (island)
+ 5
+ 8
+ 7
+ 6
+";
+    assert!(counted.ends_with(tail), "{counted}");
+    let named = names_of(["side 1", "mouth", "pier", "side 4", "rock", "hole side 2"]);
+    let tail = "
+ 2 0 = nodes of land boundary 1 (pier)
+ 3
+ 4
+ 3 0 = nodes of land boundary 2 (land)
+ 4
+ 1
+ 2
+ 4 1 = nodes of island boundary 3 (rock)
+ 5
+ 8
+ 7
+ 6
+";
+    assert!(named.ends_with(tail), "{named}");
 }
 
 #[test]

@@ -48,7 +48,7 @@ fn points(mesh: &dyn Mesh, range: Range<u32>) -> impl Iterator<Item = [f64; 3]> 
 /// A boundary segment of the file.
 struct Segment {
     kind: LineKind,
-    /// Several for an island.
+    /// Each begins where the one before ends.
     chains: Vec<MarkedChain>,
 }
 
@@ -64,11 +64,23 @@ fn segments(boundary: &MarkedChains<'_>) -> [Vec<Segment>; 2] {
             segments.push(Segment { kind: LineKind::Island, chains: ring.to_vec() });
             return;
         }
-        for chain in ring {
-            // A part of a ring cannot be an island.
-            let is_open = kind(chain) == LineKind::Open;
-            let kind = if is_open { LineKind::Open } else { LineKind::Land };
-            segments.push(Segment { kind, chains: vec![chain.clone()] });
+        // A part of a ring cannot be an island.
+        let kind = |chain: &MarkedChain| match kind(chain) {
+            LineKind::Open => LineKind::Open,
+            LineKind::Land | LineKind::Island => LineKind::Land,
+        };
+        let name = |chain: &MarkedChain| &*boundary.names[chain.name as usize];
+        let goes_on = |a: &MarkedChain, b: &MarkedChain| {
+            let is_one = a.name == b.name || [a, b].map(name).into_iter().all(is_counted);
+            a.end == b.start && kind(a) == kind(b) && is_one
+        };
+        let mut chains = ring.to_vec();
+        if is_ring && let Some(at) = ring.windows(2).position(|pair| !goes_on(&pair[0], &pair[1])) {
+            // From there on no segment is in two parts.
+            chains.rotate_left(at + 1);
+        }
+        for chains in chains.chunk_by(goes_on) {
+            segments.push(Segment { kind: kind(&chains[0]), chains: chains.to_vec() });
         }
     };
     for ring in boundary.rings() {
@@ -81,11 +93,37 @@ fn segments(boundary: &MarkedChains<'_>) -> [Vec<Segment>; 2] {
     [open, closed]
 }
 
+/// Whether a name only counts the sides of a ring: these have no name of their own, and are as many as a coast has bends.
+fn is_counted(name: &str) -> bool {
+    let mut words = name.rsplit(' ');
+    let is_number = words.next().is_some_and(|word| word.parse::<u32>().is_ok());
+    is_number && words.next() == Some("side") && matches!(words.next_back(), None | Some("hole"))
+}
+
 impl Segment {
     /// ADCIRC closes islands, so that their first vertex does not come again.
     fn node_counts(&self) -> impl Iterator<Item = u32> {
-        let last = u32::from(self.kind != LineKind::Island);
-        self.chains.iter().map(move |chain| chain.segments.len() as u32 + last)
+        let is_last =
+            |index: usize| self.kind != LineKind::Island && index + 1 == self.chains.len();
+        let count = move |(index, chain): (usize, &MarkedChain)| {
+            chain.segments.len() as u32 + u32::from(is_last(index))
+        };
+        self.chains.iter().enumerate().map(count)
+    }
+
+    /// The names of the sides, each once, or that of the kind where they have none.
+    fn name(&self, names: &[String], kind: &str) -> String {
+        if let [chain] = &self.chains[..] {
+            return one_line(&names[chain.name as usize]);
+        }
+        let mut own: Vec<String> = Vec::new();
+        for name in self.chains.iter().map(|chain| &names[chain.name as usize]) {
+            let name = one_line(name);
+            if !is_counted(&name) && !own.contains(&name) {
+                own.push(name);
+            }
+        }
+        if own.is_empty() { kind.to_owned() } else { own.join(", ") }
     }
 
     fn node_count(&self) -> u64 {
@@ -104,12 +142,10 @@ impl Segment {
             LineKind::Land => ("0 ", "land"),
             LineKind::Island => ("1 ", "island"),
         };
-        let names: Vec<_> =
-            self.chains.iter().map(|chain| one_line(&names[chain.name as usize])).collect();
         sections.push(Section::bytes(format!(
             " {} {code}= nodes of {kind} boundary {number} ({})\n",
             self.node_count(),
-            names.join(", ")
+            self.name(names, kind)
         )));
         let counts: Vec<_> = self.node_counts().collect();
         for (chain, count) in self.chains.into_iter().zip(counts) {
