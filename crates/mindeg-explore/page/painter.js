@@ -11,6 +11,8 @@ const HOLD = 20;
 const QUICK = 45;
 /** No request waits longer than so many milliseconds for the one before. */
 const PATIENCE = 250;
+/** So many milliseconds after the last step of a corner, what takes longer than drafts is asked for. */
+const REST = 120;
 
 let headers = {};
 let look = null;
@@ -20,7 +22,9 @@ const stages = new Map();
 let running = null;
 let waiting = null;
 let isQuick = true;
+let lastStep = -Infinity;
 let timer;
+let resting;
 
 /**
  * How many more milliseconds the running request may have before the next one ends it: until all its
@@ -48,7 +52,7 @@ function askNext() {
   waiting = null;
   const views = request.show.filter((part) => ["wanted", "least", "delaunay", "interior"].includes(part));
   running = {
-    id, start: performance.now(), domain: null, color: request.color, controller: new AbortController(),
+    id, start: performance.now(), domain: null, color: request.color, isDraft: request.drafts_only, controller: new AbortController(),
     empty: new Set(views), unfinished: new Set(views), held: new Map(),
   };
   answer(running, tab, request);
@@ -106,9 +110,11 @@ function take(run, line) {
 /** Draws a mesh and tells the page of it. */
 function reveal(run, line) {
   if (run !== running) return;
+  run.empty.delete(line.view);
+  // The server works on the next step while this one is drawn.
+  if (waiting && !timeLeft()) askNext();
   show(run, line);
   for (const name of ["interior_points", "triangles", "degrees", "values"]) delete line[name];
-  run.empty.delete(line.view);
   if (line.is_last) finish(run, line.view);
   tell(run, line);
 }
@@ -119,6 +125,8 @@ function finish(run, view) {
 }
 
 function tell(run, line) {
+  // After drafts the whole answer comes.
+  if (run.isDraft && line.kind === "done") return;
   postMessage({ kind: "line", id: run.id, line });
   if (waiting && !timeLeft()) askNext();
 }
@@ -223,7 +231,19 @@ const requests = {
   ask(message) {
     // Of another domain the last pictures show nothing.
     if (message.isAnew) for (const stage of stages.values()) clear(stage);
+    clearTimeout(resting);
+    const now = performance.now();
+    const isMoving = now - lastStep < REST;
+    lastStep = now;
     waiting = message;
+    // What a searched mesh takes from the processor, the picture that follows a corner would miss.
+    if (isMoving && !isQuick) {
+      waiting = { ...message, request: { ...message.request, drafts_only: true } };
+      resting = setTimeout(() => {
+        waiting = message;
+        askNext();
+      }, REST);
+    }
     askNext();
   },
   look(message) {

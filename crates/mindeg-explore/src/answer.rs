@@ -1,5 +1,6 @@
 //! From the body of a request to the lines of its answer, the fast ones first.
 
+use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use mindeg::exact::trade_off;
@@ -117,6 +118,9 @@ impl Answering<'_> {
             (self.out)(&AnswerLine::Command { text });
         }
         let is_enough = self.soon();
+        if self.request.drafts_only {
+            return self.drafts(is_enough);
+        }
         // The view that a reader looks at comes before all searches.
         let is_first = self.request.view == View::Interior;
         if is_first && self.shows(Part::Interior) {
@@ -165,19 +169,39 @@ impl Answering<'_> {
         self.changes()
     }
 
+    /// The meshes that need no search, if those of [`Self::soon`] are not enough.
+    fn drafts(&mut self, is_enough: bool) -> Result<(), Cancelled> {
+        if self.shows(Part::Interior) {
+            self.interior()?;
+        }
+        if !is_enough && is_by_formula(self.domain) {
+            self.first_meshes()?;
+        }
+        if self.shows(Part::Delaunay) {
+            self.mesh(Part::Delaunay, View::Delaunay)?;
+        }
+        Ok(())
+    }
+
     /// The mesh with points inside, and before it its draft: a picture that follows a corner must not wait.
     fn interior(&mut self) -> Result<(), Cancelled> {
         let Answering { request, domain, .. } = *self;
+        let mut is_enough = false;
         let made = if self.shows(Part::Interior) {
             let mut show = |draft: InteriorMesh| {
                 let shown = Figure::draft(domain, &draft).shown(View::Interior, false, request);
                 (self.out)(&AnswerLine::Mesh(Box::new(shown)));
+                is_enough = request.drafts_only;
+                if is_enough { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
             };
             Made::interior(domain, Some(&mut show), self.progress)
         } else {
             Made::interior(domain, None, self.progress)
         };
         self.unless_cancelled()?;
+        if is_enough {
+            return Ok(());
+        }
         match made {
             Ok(made) => {
                 self.note(&made);

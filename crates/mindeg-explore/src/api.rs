@@ -73,6 +73,9 @@ pub struct Request {
     /// The parts to answer; all but [`Part::Interior`] and [`Part::Advice`] by default.
     #[serde(default = "Part::usual")]
     pub show: Vec<Part>,
+    /// Meshes that come at once, as drafts, and no other part: while a corner is dragged.
+    #[serde(default)]
+    pub drafts_only: bool,
     /// The measure of [`Shown::values`]: one of [`Facts::measures`]. Without it there are no values.
     #[serde(default)]
     pub color: Option<String>,

@@ -1,5 +1,6 @@
 //! The meshes of a domain that the page shows and downloads.
 
+use std::ops::ControlFlow;
 use std::time::Duration;
 
 use mindeg::MeshError;
@@ -58,7 +59,7 @@ impl Made {
     /// The errors of [`Made::new`].
     pub(crate) fn interior(
         domain: &Domain,
-        show: Option<&mut dyn FnMut(InteriorMesh)>,
+        show: Option<&mut dyn FnMut(InteriorMesh) -> ControlFlow<()>>,
         progress: Progress<'_>,
     ) -> Result<Self, String> {
         let wanted = domain.interior().cloned().unwrap_or_default();

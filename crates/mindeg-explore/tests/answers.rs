@@ -284,3 +284,24 @@ fn what_is_looked_at_comes_first_and_never_as_another_mesh() {
     }
     assert_eq!(meshes[2]["view"], "least");
 }
+
+#[test]
+fn drafts_alone_are_the_first_meshes_of_the_whole_answer() {
+    let domain = json!({"rectangle": {"width": 4, "height": 3}, "size": 0.25});
+    for goal in [json!("least_degree"), json!({"keep_angle": 0.95})] {
+        let mut request = json!({
+            "domain": domain, "goal": goal, "view": "interior", "show": ["interior", "wanted", "advice", "curve"],
+        });
+        let whole = lines(&request);
+        request["drafts_only"] = json!(true);
+        let drafts = lines(&request);
+        assert_eq!(kinds(&drafts), ["domain", "mesh", "mesh", "done"]);
+        for name in ["interior", "wanted"] {
+            let first = |lines: &[Value]| {
+                let is_it = |line: &&Value| line["kind"] == "mesh" && line["view"] == name;
+                lines.iter().find(is_it).cloned()
+            };
+            assert_eq!(first(&drafts), first(&whole), "{name}");
+        }
+    }
+}

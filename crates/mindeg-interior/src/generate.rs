@@ -23,8 +23,9 @@ use crate::triangle::SQRT_3;
 use crate::verdict::{Gain, check_target, counted, floor, gain, is_enough, is_large};
 use glam::DVec2;
 use mindeg_domain::{Prefer, Size, SizeAt};
-use mindeg_mesh::Progress;
 use mindeg_mesh::planar::PlanarBoundary;
+use mindeg_mesh::{Cancelled, Progress};
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
 /// A mesh and what it is like.
@@ -127,6 +128,7 @@ pub fn generate_once(
 }
 
 /// [`generate`]; `show`, if it is given, gets the mesh of the first packing, before it is worked on: that takes most of the time.
+/// If it breaks, the work ends.
 ///
 /// # Errors
 ///
@@ -134,7 +136,7 @@ pub fn generate_once(
 pub fn generate_showing(
     outline: &PlanarBoundary,
     options: &Options,
-    show: Option<&mut dyn FnMut(Generated)>,
+    show: Option<&mut dyn FnMut(Generated) -> ControlFlow<()>>,
     progress: Progress<'_>,
 ) -> Result<Generated, InteriorError> {
     generate_of(outline, options, usize::MAX, show, progress)
@@ -145,7 +147,7 @@ fn generate_of(
     outline: &PlanarBoundary,
     options: &Options,
     starts: usize,
-    mut show: Option<&mut dyn FnMut(Generated)>,
+    mut show: Option<&mut dyn FnMut(Generated) -> ControlFlow<()>>,
     progress: Progress<'_>,
 ) -> Result<Generated, InteriorError> {
     options.check()?;
@@ -217,7 +219,9 @@ fn generate_of(
             && mesh.check().is_ok()
             && let Some(show) = show.take()
         {
-            show(measured(&mesh));
+            if show(measured(&mesh)).is_break() {
+                return Err(InteriorError::Cancelled(Cancelled));
+            }
         }
         let weights = if seed.pairs { Weights::pairs } else { Weights::single };
         let weights = weights(&way, floor);

@@ -44,6 +44,8 @@ pub use mindeg_interior::{
     CertifiedVertex, CornerTradeOff, InteriorError, InteriorReport, LocalShares, SizeReport,
     TogetherBound, Violation,
 };
+use std::ops::ControlFlow;
+
 use posed::Posed;
 
 use crate::boundary_mesh::{lines, periodic_lines};
@@ -84,28 +86,27 @@ pub fn mesh(
     mesh_showing(domain, wanted, None, progress)
 }
 
-/// The same; `show`, if it is given, gets a mesh soon: of the first packing of points, before it is worked on.
+/// The same; `show`, if it is given, gets a mesh soon: of the first packing of points, before it is worked on. If it breaks, that was all.
 ///
 /// # Errors
 ///
-/// The errors of [`mesh`].
+/// The errors of [`mesh`]; [`InteriorError::Cancelled`] if `show` breaks.
 pub fn mesh_showing(
     domain: &Domain,
     wanted: &Interior,
-    show: Option<&mut dyn FnMut(InteriorMesh)>,
+    show: Option<&mut dyn FnMut(InteriorMesh) -> ControlFlow<()>>,
     progress: Progress<'_>,
 ) -> Result<InteriorMesh, InteriorError> {
     let posed = Posed::new(domain)?;
     let options = posed.options(domain, wanted)?;
     let boundary = posed.boundary();
     let mut draft = show.map(|show| {
-        |found| {
-            if let Ok(mesh) = in_domain(domain, &posed, found) {
-                show(mesh);
-            }
+        |found| match in_domain(domain, &posed, found) {
+            Ok(mesh) => show(mesh),
+            Err(_) => ControlFlow::Continue(()),
         }
     });
-    let draft = draft.as_mut().map(|draft| draft as &mut dyn FnMut(Generated));
+    let draft = draft.as_mut().map(|draft| draft as &mut dyn FnMut(Generated) -> ControlFlow<()>);
     let found = generate_showing(boundary, &options, draft, progress);
     in_domain(domain, &posed, found.map_err(|error| posed.error(error))?)
 }
@@ -211,13 +212,19 @@ mod tests {
         .unwrap();
         let wanted = Interior::default();
         let mut drafts = Vec::new();
-        let mut show = |draft: InteriorMesh| drafts.push(draft);
+        let mut show = |draft: InteriorMesh| {
+            drafts.push(draft);
+            ControlFlow::Continue(())
+        };
         let found = mesh_showing(&domain, &wanted, Some(&mut show), Progress::NONE).unwrap();
         assert_eq!(found, mesh(&domain, &wanted, Progress::NONE).unwrap());
         let [draft] = &drafts[..] else { panic!("{} drafts", drafts.len()) };
         let given = domain.boundary().unwrap().points().len();
         assert_eq!(draft.mesh.positions()[..given], found.mesh.positions()[..given]);
         assert!(draft.report.interior_points > 0 && *draft != found);
+        let ended =
+            mesh_showing(&domain, &wanted, Some(&mut |_| ControlFlow::Break(())), Progress::NONE);
+        assert!(matches!(ended, Err(InteriorError::Cancelled(_))));
     }
 
     /// The mean length of the edges inside a disc that are on no side.

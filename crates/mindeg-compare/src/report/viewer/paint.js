@@ -15,16 +15,27 @@ function leastHeights({ points, triangles }) {
 
 /** For every triangle, which of its edges it draws, as bits: each edge with its highest triangle. */
 function edgesByTriangle({ triangles }, heights) {
-  const numbers = Array.from(heights.keys()).sort((a, b) => heights[b] - heights[a]);
-  const drawn = new Set();
   const edges = new Uint8Array(heights.length);
-  for (const number of numbers) {
-    for (let place = 0; place < 3; place++) {
-      const from = triangles[3 * number + place];
-      const to = triangles[3 * number + (place + 1) % 3];
-      const edge = Math.min(from, to) * 2 ** 32 + Math.max(from, to);
-      if (!drawn.has(edge)) edges[number] |= 1 << place;
-      drawn.add(edge);
+  // A table of edges, several times faster than a Set: each has the place in `triangles`, plus one, where what draws it begins it.
+  const bits = Math.ceil(Math.log2(2 * triangles.length + 2));
+  const table = new Uint32Array(2 ** bits);
+  for (let at = 0; at < triangles.length; at++) {
+    const number = Math.floor(at / 3);
+    const [from, to] = [triangles[at], triangles[3 * number + (at + 1) % 3]];
+    const [low, high] = [Math.min(from, to), Math.max(from, to)];
+    let slot = (Math.imul(low, 0x9e3779b1) + Math.imul(high, 0x85ebca6b)) >>> (32 - bits);
+    for (; ; slot = (slot + 1) % table.length) {
+      const other = table[slot] - 1;
+      const rival = Math.floor(other / 3);
+      if (other >= 0) {
+        const [a, b] = [triangles[other], triangles[3 * rival + (other + 1) % 3]];
+        if (Math.min(a, b) !== low || Math.max(a, b) !== high) continue;
+        if (heights[rival] >= heights[number]) break;
+        edges[rival] &= ~(1 << other % 3);
+      }
+      table[slot] = at + 1;
+      edges[number] |= 1 << at % 3;
+      break;
     }
   }
   return edges;
@@ -34,11 +45,12 @@ function edgesByTriangle({ triangles }, heights) {
 class Painter {
   constructor(scene, measure) {
     this.scene = scene;
-    const order = Array.from(scene.degrees.keys());
     this.heights = scene.values.minimum_height ?? leastHeights(scene);
     this.edges = scene.isRing ? null : edgesByTriangle(scene, this.heights);
     this.dotColors = Array.from(scene.degrees, degreeColor);
-    this.order = order.sort((a, b) => scene.degrees[a] - scene.degrees[b]);
+    const byDegree = [];
+    scene.degrees.forEach((degree, vertex) => (byDegree[degree] ??= []).push(vertex));
+    this.order = byDegree.flat();
     this.color(measure);
   }
 
@@ -59,10 +71,9 @@ class Painter {
       screen[i + 1] = oy - points[i + 1] * sy;
     }
     const isSeen = (a, b, c) => {
-      const [ax, bx, cx] = [screen[a], screen[b], screen[c]];
-      const [ay, by, cy] = [screen[a + 1], screen[b + 1], screen[c + 1]];
-      return Math.max(ax, bx, cx) >= 0 && Math.min(ax, bx, cx) <= width &&
-        Math.max(ay, by, cy) >= 0 && Math.min(ay, by, cy) <= height;
+      const { min, max } = Math;
+      return max(screen[a], screen[b], screen[c]) >= 0 && min(screen[a], screen[b], screen[c]) <= width &&
+        max(screen[a + 1], screen[b + 1], screen[c + 1]) >= 0 && min(screen[a + 1], screen[b + 1], screen[c + 1]) <= height;
     };
     const outline = () => {
       context.beginPath();
@@ -73,11 +84,12 @@ class Painter {
       }
     };
     const room = this.room(screen);
-    // Where triangles are thinned out, what lies between them takes the usual color.
+    // The usual color is that of the whole: so it is between triangles that are thinned out, too, and most are not drawn one by one.
+    let usual = -1;
     if (scene.fillsOutlines) {
       const half = triangles.length / 6;
       let seen = 0;
-      const usual = this.steps.findIndex((numbers) => (seen += numbers.length) >= half);
+      usual = this.steps.findIndex((numbers) => (seen += numbers.length) >= half);
       outline();
       context.fillStyle = colors.ramp[usual];
       context.fill("evenodd");
@@ -93,17 +105,21 @@ class Painter {
         const b = triangles[3 * number + 1];
         const c = triangles[3 * number + 2];
         if (!isSeen(2 * a, 2 * b, 2 * c)) continue;
-        context.beginPath();
-        context.moveTo(screen[2 * a], screen[2 * a + 1]);
-        context.lineTo(screen[2 * b], screen[2 * b + 1]);
-        context.lineTo(screen[2 * c], screen[2 * c + 1]);
-        // What covers next to nothing of a pixel would leave little but rounding there.
         const height = heights[number] * Math.min(sx, sy);
-        if (height < 0.3) context.stroke();
-        else context.fill();
+        if (step !== usual) {
+          context.beginPath();
+          context.moveTo(screen[2 * a], screen[2 * a + 1]);
+          context.lineTo(screen[2 * b], screen[2 * b + 1]);
+          context.lineTo(screen[2 * c], screen[2 * c + 1]);
+          // What covers next to nothing of a pixel would leave little but rounding there.
+          if (height < 0.3) context.stroke();
+          else context.fill();
+        }
         // Of the triangles at an edge one draws it, and none where edges would run into one another.
         if (drawnEdges && height < CROWDED) continue;
-        for (const [place, from, to] of [[0, a, b], [1, b, c], [2, c, a]]) {
+        for (let place = 0; place < 3; place++) {
+          const from = triangles[3 * number + place];
+          const to = triangles[3 * number + (place + 1) % 3];
           // Around a ring, both triangles have an interior edge, in opposite directions.
           if (drawnEdges ? !(drawnEdges[number] >> place & 1) : from > to) continue;
           if (!drawnEdges && Math.min(room[from], room[to]) < CROWDED) continue;
