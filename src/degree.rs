@@ -9,7 +9,7 @@ use crate::provenance::mesh_command;
 use crate::standard_output::{print, print_json};
 use mindeg::beside::each;
 use mindeg::{Domain, Interior, MeshError, Progress};
-use mindeg_answers::advice::{Advice, is_small};
+use mindeg_answers::advice::Advice;
 use mindeg_answers::degree::{DegreeBeside, DegreeReport};
 use mindeg_answers::limit::Lifting;
 use mindeg_answers::names::part_name;
@@ -132,9 +132,9 @@ fn fewer(report: &DegreeReport) -> Option<String> {
     Some(format!("hint: {words} and it is {}; mindeg suggest tells more.\n", suggestion.max_degree))
 }
 
-/// The meshes to take of a domain, where they are found in little time.
+/// The meshes to take of a domain.
 fn advice(domain: &Domain, file: Option<&Path>) -> Option<String> {
     // A domain without a mesh says so when it is meshed.
-    let advice = is_small(domain).then(|| Advice::of(domain, Progress::NONE).ok()).flatten()?;
+    let advice = Advice::for_hint(domain, None, Progress::NONE).ok()?;
     Some(advice.hints(&mesh_command(domain, file)) + "\n")
 }

@@ -11,7 +11,8 @@ use crate::standard_output::print;
 use crate::terminal::say;
 use mindeg::Domain;
 use mindeg_explore::{
-    KnownFiles, MAX_BYTES, REPAIRED, Server, ServerError, Setup, Source, presets, sources,
+    KnownFiles, MAX_BYTES, REPAIRED, Repair, Server, ServerError, Setup, Source, least_repaired,
+    presets, sources,
 };
 use mindeg_files::{Input, Wanted};
 use std::fs;
@@ -71,34 +72,19 @@ fn start(arguments: &DomainArguments, known: &mut KnownFiles) -> Result<Option<S
     }
 }
 
-/// How polygons were repaired unasked.
-#[derive(Clone, Copy, PartialEq)]
-enum Repair {
-    None,
-    /// Each alone.
-    Alone,
-    /// As regions of one map.
-    Together,
-}
-
 /// The domains that the arguments describe, repaired where they are none otherwise.
 fn domains(arguments: &DomainArguments) -> Result<(Vec<Domain>, Repair), Failure> {
-    let read = |arguments: &DomainArguments| {
-        Ok(subject(arguments, Wanted::Domain, &Bar::new(true))?.parts()?.domains)
+    let read = |repair: Repair| {
+        let mut arguments = arguments.clone();
+        let outline = &mut arguments.options.outline;
+        outline.repair |= repair != Repair::None;
+        outline.together = repair == Repair::Together;
+        Ok(subject(&arguments, Wanted::Domain, &Bar::new(true))?.parts()?.domains)
     };
-    let error = match read(arguments) {
-        Ok(domains) => return Ok((domains, Repair::None)),
-        Err(error) => error,
-    };
-    let mut repairing = arguments.clone();
-    if arguments.file.is_none() || std::mem::replace(&mut repairing.options.outline.repair, true) {
-        return Err(error);
+    if arguments.file.is_none() || arguments.options.outline.repair {
+        return Ok((read(Repair::None)?, Repair::None));
     }
-    let repaired = [Repair::Alone, Repair::Together].into_iter().find_map(|repair| {
-        repairing.options.outline.together = repair == Repair::Together;
-        Some((read(&repairing).ok()?, repair))
-    });
-    repaired.ok_or(error)
+    least_repaired(read, |_| 0)
 }
 
 /// The bytes of the file of a surface, unless they are too many for the page.

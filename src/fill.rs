@@ -41,6 +41,9 @@ pub(crate) fn run(arguments: &FillArguments) -> Result<(), Failure> {
     making.check(&mesh, most)?;
     making.open()?;
     let listed = listed(&loops, &mesh);
+    let is_named = options.only.is_some();
+    let rim = loops.list().iter().position(|found| found.is_rim && !is_named);
+    let hint = rim.map(|index| format!("--loop {} fills the rim all the same", index + 1));
     let result = making
         .work(|progress| fill(mesh, &loops, &options, progress))
         .map_err(|error| Failure::Input(format!("{}: {error}", file.display())))?;
@@ -49,11 +52,13 @@ pub(crate) fn run(arguments: &FillArguments) -> Result<(), Failure> {
         let reasons: Vec<String> = answer.left_open.iter().map(OpenLoop::text).collect();
         let message = if reasons.len() > 5 { listed } else { format!(": {}", reasons.join("; ")) };
         let name = file.display();
-        return Err(Failure::Input(format!("{name} has no loop to fill{message}")));
+        let hint = hint.map_or_else(String::new, |hint| format!("; {hint}"));
+        return Err(Failure::Input(format!("{name} has no loop to fill{message}{hint}")));
     }
     for found in &result.filled {
         new_triangles_met(arguments.target_angle, &result.mesh, &found.triangles, found.min_angle)?;
     }
     let made = making.write_checked(&result.mesh)?;
-    made.say(|| answer.text(&options), || &answer)
+    let hint = hint.map_or_else(String::new, |hint| format!("\nhint: {hint}"));
+    made.say(|| answer.text(&options) + &hint, || &answer)
 }

@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::standard_output::print;
+use crate::terminal;
 use mindeg_answers::preset::PRESETS;
 use mindeg_files::{Format, OutlineFormat};
 
@@ -10,7 +11,7 @@ pub(crate) fn run() -> Result<(), Failure> {
         extensions.iter().map(|extension| format!(".{extension}")).collect::<Vec<_>>().join(" ")
     };
     let row = |first: &str, files: &[&str], way: &str, what: &str| {
-        format!("  {first:<8}{:<27}{way:<9}{what}\n", dotted(files))
+        terminal::row(&format!("  {first:<8}{:<27}{way:<9}", dotted(files)), what)
     };
     let mut text = String::from("Meshes, by the name that --format takes\n");
     for format in Format::WRITTEN {
@@ -24,7 +25,7 @@ pub(crate) fn run() -> Result<(), Failure> {
     }
     text += "\nPrograms, whose rules --preset checks\n";
     for preset in &PRESETS {
-        text += &format!("  {:<7} {}\n", preset.name, preset.description);
+        text += &terminal::row(&format!("  {:<8}", preset.name), preset.description);
     }
     print(&text)
 }

@@ -77,7 +77,7 @@ fn main() -> ExitCode {
         Err(error) => return without_a_run(&error, &words),
     };
     if let Command::Mesh(mesh) = &mut arguments.command {
-        mesh.domain.options.outline.together = mesh::are_one_map(mesh);
+        mesh.domain.options.outline.together = mesh::is_one_mesh(mesh);
     }
     if let Command::Verify(verify) = &mut arguments.command {
         // As the mesh was made.

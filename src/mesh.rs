@@ -21,7 +21,7 @@ use mindeg_exact::{MAX_VERTICES, Unsolved};
 use mindeg_files::Wanted;
 use std::path::PathBuf;
 
-pub(crate) use features::are_one_map;
+pub(crate) use features::is_one_mesh;
 
 pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
     let output = &arguments.surface.output;
@@ -29,10 +29,10 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
     match subject {
         Subject::Domain(domain) => mesh_of(&domain, arguments, output),
         Subject::Polygons(polygons) if polygons.polygons.len() > 1 => {
-            if are_one_map(arguments) {
+            if features::are_one_map(arguments) {
                 return interior::run_maps(arguments, &polygons);
             }
-            if features::is_one_mesh(arguments) {
+            if is_one_mesh(arguments) {
                 let parts = Parts::of(&polygons, features::SEPARATE)?;
                 return match &parts.domains[..] {
                     [map] => mesh_of(map, arguments, output),
@@ -64,7 +64,7 @@ fn opened(arguments: &MeshArguments) -> Result<Subject, Failure> {
         }
         return subject(&arguments.domain, Wanted::Model, &bar);
     }
-    if arguments.change.changes.is_some() && !features::is_one_mesh(arguments) {
+    if arguments.change.changes.is_some() && !is_one_mesh(arguments) {
         return Err(Failure::input(
             "--changes is for one mesh: leave out --separate and names with a pattern",
         ));
@@ -115,7 +115,8 @@ fn mesh_of(domain: &Domain, arguments: &MeshArguments, output: &[PathBuf]) -> Re
     let advice = || {
         // Of polygons that are meshed one by one, each would have its own.
         let is_told = !arguments.goal.is_empty() || arguments.separate;
-        (!is_told).then(|| Advice::if_small(domain, &meshed, Progress::NONE))
+        let advice = || Advice::for_hint(domain, Some(&meshed), Progress::NONE).ok();
+        if is_told { None } else { advice() }
     };
     let hints = || {
         let file = arguments.domain.file.as_deref();

@@ -22,6 +22,7 @@ pub(crate) fn guess(error: &clap::Error, arguments: &[OsString]) -> Option<Strin
                 renamed(command, &unknown).or_else(|| one_too_many(command, &unknown))
             }
             ErrorKind::MissingRequiredArgument => output_missing(command, error),
+            ErrorKind::InvalidValue => open_without_water(error),
             _ => None,
         })
 }
@@ -38,6 +39,15 @@ fn output_missing(command: &str, error: &clap::Error) -> Option<String> {
     };
     let is_output = |argument: &String| argument.starts_with("--output");
     missing.iter().all(is_output).then(|| format!("where to? name a file, such as {example}"))
+}
+
+/// `mesh a.json -o a.obj --open`
+fn open_without_water(error: &clap::Error) -> Option<String> {
+    let is_open = text(error, ContextKind::InvalidArg)?.starts_with("--open");
+    let is_empty = text(error, ContextKind::InvalidValue).is_none_or(|value| value.is_empty());
+    (is_open && is_empty).then(|| {
+        "--open takes the sides that are open water, such as box; --show shows the mesh in a browser".to_owned()
+    })
 }
 
 /// `--corners 0,0 4,0 3,2`
@@ -113,6 +123,9 @@ const RENAMED: [(&str, &str); 4] = [
 fn renamed(command: &str, option: &str) -> Option<String> {
     if command == "condition" && option == "--target-angle" {
         return Some("condition has --limit, the angle that the boundary shall allow".to_owned());
+    }
+    if option == "--open" {
+        return Some("--show shows the mesh in a browser".to_owned());
     }
     let (_, new) = RENAMED.iter().find(|(old, _)| *old == option)?;
     Some(format!("{option} is now {new}"))

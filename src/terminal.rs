@@ -9,7 +9,7 @@ use std::borrow::Cow;
 use std::ffi::OsString;
 use std::io::{self, Write};
 use std::sync::LazyLock;
-use terminal_size::{Width, terminal_size_of};
+use terminal_size::{Height, Width, terminal_size_of};
 
 /// The widest lines, as in the help.
 const WIDEST: usize = 100;
@@ -90,10 +90,21 @@ fn broken_names(arguments: impl Iterator<Item = OsString>) -> Vec<String> {
 
 /// Wraps a text to the terminal; leaves it unchanged if standard error is not a terminal.
 fn wrapped(text: &str) -> String {
-    match terminal_size_of(io::stderr()) {
-        Some((Width(width), _)) => wrap(text, usize::from(width).min(WIDEST)),
-        None => text.to_owned(),
-    }
+    let size = terminal_size_of(io::stderr());
+    size.map_or_else(|| text.to_owned(), |size| wrap(text, width(size)))
+}
+
+/// The width of lines on a terminal of this size.
+fn width((Width(width), _): (Width, Height)) -> usize {
+    usize::from(width).min(WIDEST)
+}
+
+/// A row of a table, whose last cell goes on below itself where the terminal that shows the table ends; without a terminal
+/// after 80 letters.
+pub(crate) fn row(start: &str, last: &str) -> String {
+    let options = textwrap::Options::new(terminal_size_of(io::stdout()).map_or(80, width));
+    let indent = " ".repeat(start.chars().count());
+    textwrap::fill(last, options.initial_indent(start).subsequent_indent(&indent)) + "\n"
 }
 
 /// Wraps each line of a text on spaces, but for commands: those are to be copied.
@@ -102,7 +113,7 @@ fn wrap(text: &str, width: usize) -> String {
         // A path or a list of counts stays in one piece, to be copied, too.
         .break_words(false)
         .word_splitter(textwrap::WordSplitter::NoHyphenation);
-    let wrapped = |line: &str| match line.starts_with("mindeg mesh ") {
+    let wrapped = |line: &str| match line.starts_with("mindeg ") {
         true => line.to_owned(),
         false => textwrap::fill(line, &options),
     };
@@ -118,7 +129,7 @@ mod tests {
         let long = "the least-degree mesh /a/long/path/of/a/file.obj has\ntwo lines";
         let lines = "the\nleast-degree\nmesh\n/a/long/path/of/a/file.obj\nhas\ntwo lines";
         assert_eq!(wrap(long, 12), lines);
-        let hint = "hint: take it\nmindeg mesh a.json --interior -o a.obj\nwrote a.obj";
+        let hint = "hint: take it\nmindeg tradeoff a.json\nwrote a.obj";
         assert_eq!(
             wrap(hint, 9),
             hint.replace("hint: take it", "hint:\ntake it").replace("wrote a.obj", "wrote\na.obj")

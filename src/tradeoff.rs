@@ -13,9 +13,9 @@ use crate::suggest::{left_out, spread};
 use crate::terminal::say;
 use mindeg::beside::each;
 use mindeg::exact::{self, TradeOff};
-use mindeg::{Domain, Goal, Progress, TriMesh, mesh};
-use mindeg_answers::advice::{Advice, Purpose, is_small};
-use mindeg_answers::numbers::{steady_angle, steady_percent};
+use mindeg::{Domain, Goal, TriMesh, mesh};
+use mindeg_answers::advice::{Advice, Purpose};
+use mindeg_answers::numbers::{percent, steady_angle};
 use mindeg_answers::trade_off::TradeOffAnswer;
 use mindeg_compare::{write_trade_off_html, write_trade_off_json, write_trade_off_svg};
 use mindeg_files::{Outputs, Wanted, write_to};
@@ -62,7 +62,7 @@ pub(crate) fn run(arguments: &TradeoffArguments) -> Result<(), Failure> {
     let told = arguments.purpose.purpose;
     let (answer, inside) = match &trade_offs[..] {
         [one] => {
-            let (advice, inside) = advice(one.domain());
+            let (advice, inside) = advice(one.domain(), arguments.quiet);
             (TradeOffAnswer { advice: Some(advice), ..TradeOffAnswer::of(one) }, inside)
         }
         all => (TradeOffAnswer::of_all(all), None),
@@ -87,7 +87,7 @@ pub(crate) fn run(arguments: &TradeoffArguments) -> Result<(), Failure> {
 fn writer(path: &Path) -> Result<Writer, Failure> {
     match extension(path).as_deref() {
         Some("html" | "htm") => Ok(|drawn, found, input, out| {
-            let advice = found.answer.advice.unwrap_or(Advice::UNMEASURED);
+            let advice = found.answer.advice.clone().unwrap_or(Advice::UNMEASURED);
             let inside = found.inside.as_ref();
             let made_by = provenance_of(drawn.domain(), input);
             write_trade_off_html(drawn, &advice, found.told, inside, made_by, out)
@@ -110,12 +110,15 @@ fn draws(path: &Path) -> bool {
     extension(path).as_deref() != Some("json")
 }
 
-/// The meshes to take and the one with points inside, where they take little time.
-fn advice(domain: &Domain) -> (Advice, Option<TriMesh>) {
-    let fewest = is_small(domain).then(|| mesh(domain, Goal::LeastDegree, Progress::NONE).ok());
-    let Some(fewest) = fewest.flatten() else { return (Advice::UNMEASURED, None) };
-    let (advice, found) = Advice::with_mesh(domain, &fewest, Progress::NONE);
-    (advice, found.map(|found| found.mesh))
+/// The meshes to take, and the one with points inside.
+fn advice(domain: &Domain, quiet: bool) -> (Advice, Option<TriMesh>) {
+    Bar::new(quiet).work(|progress| {
+        let Ok(fewest) = mesh(domain, Goal::LeastDegree, progress) else {
+            return (Advice::UNMEASURED, None);
+        };
+        let (advice, found) = Advice::with_mesh(domain, &fewest, progress);
+        (advice, found.map(|found| found.mesh))
+    })
 }
 
 fn table(answer: &TradeOffAnswer, limit: u32, told: Option<Purpose>) -> String {
@@ -131,15 +134,20 @@ fn table(answer: &TradeOffAnswer, limit: u32, told: Option<Purpose>) -> String {
             "{:>14}  {:>14}  {:>13}{}",
             point.max_degree,
             steady_angle(point.min_angle),
-            steady_percent(point.share_of_delaunay),
+            percent(point.share_of_delaunay),
             if advised == Some(row) { "  advised" } else { "" },
         );
+    }
+    if let Some(inside) = answer.advice.as_ref().and_then(|advice| advice.solver) {
+        let share = inside.share_of_delaunay.map_or_else(|| "–".to_owned(), percent);
+        let (degree, angle) = (inside.max_degree, steady_angle(inside.min_angle));
+        let _ = writeln!(text, "{degree:>14}  {angle:>14}  {share:>13}  with points inside");
     }
     text.push_str(&left_out(rows.len(), points.len()));
     if let Some(question) = answer.open_question() {
         let _ =
             writeln!(text, "{question} With fewer points\nthe search of all meshes decides more.");
     }
-    text.extend(answer.advice.map(|advice| advice.text(told) + "\n"));
+    text.extend(answer.advice.as_ref().map(|advice| advice.text(told) + "\n"));
     text
 }

@@ -32,8 +32,9 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Failure> {
     let tolerance = arguments.matching_tolerance()?;
     let domain = match &arguments.domain {
         Some(path) => {
-            let mut parts =
-                in_file(path, &arguments.options, Wanted::Domain, &Bar::new(true))?.parts()?;
+            let mut parts = in_file(path, &arguments.options, Wanted::Domain, &Bar::new(true))
+                .map_err(|failure| of_two_meshes(arguments, path).unwrap_or(failure))?
+                .parts()?;
             if parts.domains.len() > 1 {
                 return parts::run(arguments, &parts);
             }
@@ -110,6 +111,15 @@ fn read_proof(path: &Path) -> Result<(u32, Refutation), Failure> {
     let file: ProofFile = serde_json::from_str(&text).map_err(|error| fault(&error))?;
     let refutation = file.refutation().map_err(|error| fault(&error))?;
     Ok((file.refuted_degree, refutation))
+}
+
+/// The way to compare a mesh with a part, where the file of the domain is such a part.
+fn of_two_meshes(arguments: &VerifyArguments, part: &Path) -> Option<Failure> {
+    read_mesh(part, None, &Bar::new(true)).ok()?;
+    let [mesh, part] = [&arguments.file, part].map(|path| path.display().to_string());
+    Some(Failure::Input(format!(
+        "{part} is a mesh, and a domain is expected; to compare with it: mindeg verify {mesh} --surface {part}"
+    )))
 }
 
 /// Refuses a domain where the mesh is expected.

@@ -11,12 +11,12 @@ use std::path::PathBuf;
 pub(super) const SEPARATE: &str = "give --separate and a folder, such as -o meshes/, for a mesh of each polygon, or choose one with --feature";
 
 /// Whether the polygons of a file are regions of one mesh: with interior points, unless each is wanted by itself.
-pub(crate) fn are_one_map(arguments: &MeshArguments) -> bool {
+pub(super) fn are_one_map(arguments: &MeshArguments) -> bool {
     arguments.interior.interior && is_one_mesh(arguments)
 }
 
 /// Whether one mesh is wanted of all polygons.
-pub(super) fn is_one_mesh(arguments: &MeshArguments) -> bool {
+pub(crate) fn is_one_mesh(arguments: &MeshArguments) -> bool {
     !arguments.separate && !arguments.surface.output.iter().any(|path| is_pattern(path))
 }
 

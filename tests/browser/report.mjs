@@ -122,7 +122,7 @@ test("the page begins with what to do, and has every mesh once", async () => {
   const [headline, also] = await opened.locator(".headline").allTextContents();
   assert.ok(report.verdict.startsWith(`${headline} ${also}`) && headline.startsWith("For a solver, put points inside: "));
   // What makes an advised mesh stands with it.
-  for (const [place, end] of [[0, "--interior -o mesh.obj"], [1, "--keep-angle 95% -o mesh.obj"]]) {
+  for (const [place, end] of [[0, "-points-inside.obj"], [1, "-keep-angle-95.obj"]]) {
     const commands = await opened.locator(".mesh").nth(place).locator(".command code").allTextContents();
     assert.ok(commands.length === 1 && commands[0].endsWith(end), commands.join(" | "));
   }
@@ -139,8 +139,8 @@ test("the command is copied", async () => {
     navigator.clipboard.writeText = async (text) => { window.copied = text; };
   });
   const commands = await opened.locator(".command code").allTextContents();
-  assert.match(commands[0], /^mindeg mesh \S+ --interior -o mesh\.obj$/);
-  assert.match(commands[1], /^mindeg mesh \S+ --keep-angle 95% -o mesh\.obj$/);
+  assert.match(commands[0], /^mindeg mesh \S+ --interior -o \S+-points-inside\.obj$/);
+  assert.match(commands[1], /^mindeg mesh \S+ --keep-angle 95% -o \S+-keep-angle-95\.obj$/);
   await opened.locator(".copy").nth(1).click();
   assert.equal(await opened.evaluate(() => window.copied), commands[1]);
   await opened.context().close();

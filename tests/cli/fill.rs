@@ -330,6 +330,7 @@ fn the_rim_of_a_flat_sheet_stays_open_unless_it_is_named() {
     for words in [
         "filled 1 loop with 2 triangles",
         "loop 1 (4 vertices from vertex 0 on) stays open: it is the rim",
+        "hint: --loop 1 fills the rim all the same",
     ] {
         assert!(run.errors.contains(words), "{words}: {}", run.errors);
     }
@@ -338,9 +339,11 @@ fn the_rim_of_a_flat_sheet_stays_open_unless_it_is_named() {
         "no loop to fill",
         "rim of a flat sheet",
         "name it",
+        "--loop 1 fills the rim all the same",
     ]);
     let run = mindeg(["fill", out, "-o", &format!("{out}.obj"), "--loop", "1"]);
     assert!(run.errors.contains("filled 1 loop"), "{}", run.errors);
+    assert!(!run.errors.contains("--loop"), "{}", run.errors);
 }
 
 #[test]

@@ -150,6 +150,12 @@ fn a_mesh_of_polygons_that_were_repaired_together_is_verified() {
     let verified = mindeg(["verify", text(&mesh), text(&file), "--repair", "--json"]).json();
     assert_eq!(verified["valid"], true, "{verified}");
     mindeg(["verify", text(&mesh), text(&file), "--json"]).refuses(&["--repair mends such places"]);
+    // Of the boundary points alone, too.
+    let refused = mindeg(["mesh", text(&file), "-o", text(&mesh)]);
+    refused.refuses(&["--repair mends such places"]);
+    mindeg(["mesh", text(&file), "--repair", "-q", "-o", text(&mesh)]).text();
+    let verified = mindeg(["verify", text(&mesh), text(&file), "--repair", "--json"]).json();
+    assert_eq!(verified["valid"], true, "{verified}");
 }
 
 /// Eight states with islands: each part is verified against its domain.

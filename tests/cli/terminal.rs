@@ -217,3 +217,15 @@ fn no_number_of_threads_holds_a_run_up() {
     let run = crate::run::shell(folder.path(), script);
     assert_eq!(run.code, Some(0), "{run:?}");
 }
+
+/// Where no terminal tells its width, a table has at most 80 letters a line.
+#[test]
+fn the_list_of_formats_fits_a_screen() {
+    let run = mindeg(["formats"]);
+    let lines = || run.text().lines();
+    assert!(lines().all(|line| line.chars().count() <= 80), "{}", run.text());
+    // The rest of a long cell stands below its beginning.
+    let first = lines().position(|line| line.starts_with("  adcirc  ")).expect("a preset");
+    let next = lines().nth(first + 1).expect("a line");
+    assert!(next.starts_with("          ") && next.trim_start().len() > 9, "{next}");
+}

@@ -47,7 +47,8 @@ fn the_table_is_for_reading() {
         run.text(),
         "maximum degree   minimum angle  of Delaunay's\n\
          \x20            5          5.528°          87.2%\n\
-         \x20            6          6.340°         100.0%  advised\n\
+         \x20            6          6.340°           100%  advised\n\
+         \x20            7         34.600°         545.7%  with points inside\n\
          For a solver, put points inside: minimum angle 34.600°, 5.5 times what the boundary points alone allow; at \
          most 7 edges at a vertex.\n\
          For a patch that must keep its points, take degree 6: minimum angle 6.340°, all of what its points allow.\n"
@@ -64,12 +65,15 @@ fn a_long_table_keeps_the_first_the_advised_and_the_last() {
     let all = table("0");
     let rows: Vec<&str> =
         all.lines().skip(1).filter(|row| row.contains('%') && row.starts_with(' ')).collect();
+    let (inside, rows) = rows.split_last().expect("rows");
+    assert!(inside.ends_with("%  with points inside"), "{all}");
     assert!(rows.len() > 5, "{all}");
     let advised = *rows.iter().find(|row| row.ends_with("%  advised")).expect("an advised degree");
     let short = table("3");
     let shown: Vec<&str> = short.lines().skip(1).collect();
     assert_eq!(shown[..3], [rows[0], advised, rows[rows.len() - 1]]);
-    assert_eq!(shown[3], format!("3 of {} rows, spread evenly; --limit 0 prints all.", rows.len()));
+    assert_eq!(shown[3], *inside);
+    assert_eq!(shown[4], format!("3 of {} rows, spread evenly; --limit 0 prints all.", rows.len()));
 }
 
 #[test]
@@ -346,12 +350,17 @@ fn the_page_has_the_command_of_every_mesh() {
     let points = run.json()["points"].as_array().expect("points").clone();
     let page = fs::read_to_string(&page).expect("the page");
     assert!(page.contains(&format!("with <code>mindeg tradeoff {} --json", text(&domain))));
-    assert!(page.contains("--interior -o mesh.obj</code>"));
+    assert!(page.contains("--interior -o wing-panel-points-inside.obj</code>"));
+    // The curve has the mesh with points inside, too, and leads to it.
+    assert!(page.contains("<a href=\"#points-inside\" aria-label=\"points inside: degree "));
     for point in points {
         let (degree, angle) = (&point["max_degree"], point["min_angle"].as_f64());
         let options = ["--max-degree".to_owned(), degree.to_string()];
-        let command =
-            format!("<code>mindeg mesh {} {} -o mesh.obj</code>", text(&domain), options.join(" "));
+        let command = format!(
+            "<code>mindeg mesh {} {} -o wing-panel-max-degree-{degree}.obj</code>",
+            text(&domain),
+            options.join(" ")
+        );
         assert!(page.contains(&command), "{command}");
         let out = folder.path().join("mesh.obj");
         let mut words = vec!["mesh", text(&domain), "--json", "-o", text(&out)];

@@ -249,6 +249,17 @@ fn rounded_meshes_pass_within_the_tolerance() {
 }
 
 /// docs/verify.md has a row for every key.
+/// A remesh and the part that it was made from: the way to compare them is named.
+#[test]
+fn two_meshes_are_told_how_they_are_compared() {
+    let part = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/models/bracket.obj");
+    mindeg(["verify", "new.obj", part])
+        .refuses(&[&format!("to compare with it: mindeg verify new.obj --surface {part}")]);
+    // What is no mesh has the message on domains.
+    let run = mindeg(["verify", part, "no-such.json"]);
+    assert!(run.code == Some(1) && !run.errors.contains("--surface"), "{}", run.errors);
+}
+
 #[test]
 fn every_key_of_the_report_is_documented() {
     let page = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/verify.md"))

@@ -8,14 +8,16 @@ pub use crate::purpose::{KEPT, Purpose};
 use crate::command::MeshCommand;
 use crate::numbers::{percent, steady_angle};
 use mindeg::exact::share_of;
-use mindeg::interior::{self, InteriorMesh, InteriorReport};
-use mindeg::{Domain, Goal, MeshError, Meshed, Progress, mesh};
+use mindeg::interior::{self, InteriorError, InteriorMesh, InteriorReport};
+use mindeg::{Domain, Goal, Interior, MeshError, Meshed, Progress, mesh};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// On domains with more vertices, who is asked for something else gives the advice without figures: they take three
-/// meshes.
-pub const MOST_VERTICES: u32 = 1000;
+/// A hint beside another answer has figures up to so many vertices: they take three meshes.
+const HINTED: u32 = 2000;
+
+/// The most points of a mesh with points inside that is made for an advice, or that the page of `explore` shows.
+pub const MOST_POINTS: usize = 200_000;
 
 /// Points inside that bring less than so many times the angle bring too little.
 const WORTH: f64 = 1.05;
@@ -35,12 +37,14 @@ const WORTH: f64 = 1.05;
 /// assert!(advice.sentence(Purpose::Patch).starts_with("For a patch that must keep its points, take degree 6:"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Advice {
     /// The mesh to take unless told what it is for: `solver`, or `patch` where points inside bring no larger angle.
     pub first: Purpose,
     /// With points inside; null if it was not made.
     pub solver: Option<AdvisedMesh>,
+    /// Why there can be no points inside; null if there can.
+    pub no_solver: Option<String>,
     /// Of boundary points alone, with 95% of the largest minimum angle that they allow; null if it was not made.
     pub patch: Option<AdvisedMesh>,
     /// Of the least maximum degree; null if it was not made.
@@ -82,10 +86,38 @@ impl AdvisedMesh {
     }
 }
 
+/// Why an advice has no mesh with points inside.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum NoPoints {
+    /// It is too large to be made for an advice, and is the mesh to take all the same.
+    Unmeasured,
+    /// There can be none.
+    Impossible(String),
+}
+
+impl From<&InteriorError> for NoPoints {
+    fn from(error: &InteriorError) -> Self {
+        match error {
+            InteriorError::Cancelled(_) | InteriorError::TooManyPoints { max: MOST_POINTS } => {
+                Self::Unmeasured
+            }
+            error => Self::Impossible(error.to_string()),
+        }
+    }
+}
+
+/// The wishes for points inside a domain, for a mesh that is made for an advice.
+#[must_use]
+pub fn advised_interior(domain: &Domain) -> Interior {
+    let wanted = domain.interior().cloned().unwrap_or_default();
+    let most = wanted.max_points.map_or(MOST_POINTS, |most| most.min(MOST_POINTS));
+    Interior { max_points: Some(most), ..wanted }
+}
+
 impl Advice {
     /// The advice without figures.
     pub const UNMEASURED: Self =
-        Self { first: Purpose::Solver, solver: None, patch: None, fewest: None };
+        Self { first: Purpose::Solver, solver: None, no_solver: None, patch: None, fewest: None };
 
     /// The advice on a domain, for which three meshes are made.
     ///
@@ -111,31 +143,49 @@ impl Advice {
         progress: Progress<'_>,
     ) -> (Self, Option<InteriorMesh>) {
         let patch = mesh(domain, Goal::KeepAngle(KEPT), progress).ok();
-        let wanted = domain.interior().cloned().unwrap_or_default();
-        let solver = interior::mesh(domain, &wanted, progress).ok();
+        let solver = interior::mesh(domain, &advised_interior(domain), progress);
         let advice = Self::among(
-            solver.as_ref().map(|found| AdvisedMesh::of_interior(&found.report)),
+            solver
+                .as_ref()
+                .map(|found| AdvisedMesh::of_interior(&found.report))
+                .map_err(Into::into),
             patch.as_ref().map(AdvisedMesh::of),
             Some(AdvisedMesh::of(fewest)),
         );
-        (advice, solver)
+        (advice, solver.ok())
     }
 
-    /// The same, with figures where they take little time: on domains of at most [`MOST_VERTICES`].
-    #[must_use]
-    pub fn if_small(domain: &Domain, fewest: &Meshed, progress: Progress<'_>) -> Self {
-        if is_small(domain) { Self::beside(domain, fewest, progress) } else { Self::UNMEASURED }
+    /// The advice for a hint beside another answer, which must not wait for it: with figures where they take little time.
+    /// `fewest` is the mesh of least degree, if it is there.
+    ///
+    /// # Errors
+    ///
+    /// The errors of [`Advice::of`].
+    pub fn for_hint(
+        domain: &Domain,
+        fewest: Option<&Meshed>,
+        progress: Progress<'_>,
+    ) -> Result<Self, MeshError> {
+        let inside = u32::try_from(domain.inner_points().len()).unwrap_or(u32::MAX);
+        if domain.rings().vertex_count().saturating_add(inside) > HINTED {
+            return Ok(Self::UNMEASURED);
+        }
+        match fewest {
+            Some(fewest) => Ok(Self::beside(domain, fewest, progress)),
+            None => Self::of(domain, progress),
+        }
     }
 
     /// The advice where meshes were made already: with points inside, that keeps its points, and of least degree.
     #[must_use]
     pub fn among(
-        solver: Option<AdvisedMesh>,
+        solver: Result<AdvisedMesh, NoPoints>,
         patch: Option<AdvisedMesh>,
         fewest: Option<AdvisedMesh>,
     ) -> Self {
-        let brings_little = |patch: AdvisedMesh| {
-            solver.is_none_or(|solver| solver.min_angle < WORTH * patch.min_angle)
+        let brings_little = |patch: AdvisedMesh| match &solver {
+            Ok(solver) => solver.min_angle < WORTH * patch.min_angle,
+            Err(why) => *why != NoPoints::Unmeasured,
         };
         let first = if patch.is_some_and(brings_little) { Purpose::Patch } else { Purpose::Solver };
         let largest = patch.and_then(|patch| Some(patch.min_angle / patch.share_of_delaunay?));
@@ -143,7 +193,18 @@ impl Advice {
             share_of_delaunay: largest.map(|most| share_of(mesh.min_angle, most)),
             ..mesh
         };
-        Self { first, solver: solver.map(shared), patch, fewest: fewest.map(shared) }
+        let (solver, no_solver) = match solver {
+            Ok(solver) => (Some(shared(solver)), None),
+            Err(NoPoints::Unmeasured) => (None, None),
+            Err(NoPoints::Impossible(reason)) => (None, Some(reason)),
+        };
+        Self { first, solver, no_solver, patch, fewest: fewest.map(shared) }
+    }
+
+    /// Whether there can be a mesh for a purpose.
+    #[must_use]
+    pub fn is_possible(&self, purpose: Purpose) -> bool {
+        purpose != Purpose::Solver || self.no_solver.is_none()
     }
 
     /// The figures of the mesh for a purpose.
@@ -169,6 +230,9 @@ impl Advice {
     /// The mesh to take for a purpose, with its figures, in a sentence.
     #[must_use]
     pub fn sentence(&self, purpose: Purpose) -> String {
+        if let (Purpose::Solver, Some(reason)) = (purpose, &self.no_solver) {
+            return format!("Points inside cannot be put here: {}.", reason.trim_end_matches('.'));
+        }
         let figures = self.mesh_for(purpose);
         let take = match (purpose, figures) {
             (Purpose::Solver, _) if self.first == Purpose::Patch && figures.is_some() => {
@@ -231,7 +295,12 @@ impl Advice {
         let hint = |purpose: Purpose| {
             format!("hint: f{}\n{}", self.rest(purpose), command.advised(purpose))
         };
-        self.purposes(None).into_iter().map(hint).collect::<Vec<_>>().join("\n")
+        let possible = self.purposes(None).into_iter().filter(|&purpose| self.is_possible(purpose));
+        let is_measured = self.patch.is_some() || self.solver.is_some();
+        let measuring = (!is_measured).then(|| {
+            format!("hint: this takes longer, and measures them:\n{}", command.measuring())
+        });
+        possible.map(hint).chain(measuring).collect::<Vec<_>>().join("\n")
     }
 }
 
@@ -254,16 +323,13 @@ impl AdviceAnswer {
     }
 }
 
-/// Whether a domain has at most [`MOST_VERTICES`].
-#[must_use]
-pub fn is_small(domain: &Domain) -> bool {
-    let inside = u32::try_from(domain.inner_points().len()).unwrap_or(u32::MAX);
-    domain.rings().vertex_count().saturating_add(inside) <= MOST_VERTICES
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn inside(max_degree: u32, min_angle: f64) -> Result<AdvisedMesh, NoPoints> {
+        Ok(AdvisedMesh { max_degree, min_angle, share_of_delaunay: None })
+    }
 
     fn made(max_degree: u32, min_angle: f64, share: Option<f64>) -> Option<AdvisedMesh> {
         Some(AdvisedMesh { max_degree, min_angle, share_of_delaunay: share })
@@ -271,8 +337,7 @@ mod tests {
 
     #[test]
     fn points_inside_come_first_where_they_bring_a_larger_angle() {
-        let advice =
-            Advice::among(made(7, 40.0, None), made(5, 5.0, Some(1.0)), made(4, 1.0, None));
+        let advice = Advice::among(inside(7, 40.0), made(5, 5.0, Some(1.0)), made(4, 1.0, None));
         assert_eq!(
             advice.text(None),
             "For a solver, put points inside: minimum angle 40.000°, 8.0 times what the boundary points alone \
@@ -285,19 +350,41 @@ mod tests {
             "For the fewest edges at a vertex, take degree 4: minimum angle 1.000°, 20% of what its points allow."
         );
         let hints = advice.hints(&MeshCommand::default());
-        assert!(hints.ends_with("allow.\nmindeg mesh DOMAIN.json --keep-angle 95% -o mesh.obj"));
-        let advice = Advice::among(made(5, 26.0, None), made(4, 26.0, Some(0.96)), None);
+        assert!(hints.ends_with(
+            "allow.\nmindeg mesh DOMAIN.json --keep-angle 95% -o mesh-keep-angle-95.obj"
+        ));
+        let advice = Advice::among(inside(5, 26.0), made(4, 26.0, Some(0.96)), None);
         assert_eq!(advice.purposes(None), [Purpose::Patch, Purpose::Solver]);
         assert!(
             advice
                 .sentence(Purpose::Solver)
                 .starts_with("For a solver, points inside bring little here:")
         );
-        assert_eq!(Advice::among(None, made(4, 26.0, Some(1.0)), None).first, Purpose::Patch);
+    }
+
+    /// Where a mesh with points inside is merely too large to be measured, it is the mesh to take.
+    #[test]
+    fn points_inside_come_first_unless_there_can_be_none() {
+        let too_large = InteriorError::TooManyPoints { max: MOST_POINTS };
+        let own_limit = InteriorError::TooManyPoints { max: 50 };
+        let advice = |error: &InteriorError| {
+            Advice::among(Err(error.into()), made(4, 26.0, Some(1.0)), None)
+        };
+        let large = advice(&too_large);
+        assert_eq!(large.purposes(None), [Purpose::Solver, Purpose::Patch]);
+        assert_eq!(large.sentence(Purpose::Solver), "For a solver, put points inside.");
+        assert!(large.hints(&MeshCommand::default()).contains("--interior -o"));
+        let none = advice(&own_limit);
+        assert_eq!(none.purposes(None), [Purpose::Patch, Purpose::Solver]);
+        let reason = "Points inside cannot be put here: the mesh needs more than 50 points;";
+        assert!(none.sentence(Purpose::Solver).starts_with(reason));
+        assert!(!none.hints(&MeshCommand::default()).contains("--interior"));
     }
 
     #[test]
     fn without_figures_the_advice_is_the_same() {
+        let hints = Advice::UNMEASURED.hints(&MeshCommand::default());
+        assert!(hints.ends_with("and measures them:\nmindeg tradeoff DOMAIN.json"), "{hints}");
         assert_eq!(
             Advice::UNMEASURED.text(None),
             "For a solver, put points inside.\nFor a patch that must keep its points, keep 95% of the angle."

@@ -1,4 +1,4 @@
-//! Commands to paste that make a mesh of a domain.
+//! Commands to paste that make a mesh of a domain, and the names of their files.
 
 use crate::purpose::Purpose;
 use mindeg::Domain;
@@ -14,7 +14,7 @@ use mindeg::Domain;
 /// let words = ["my coast.svg", "--feature", "2"].map(str::to_owned);
 /// assert_eq!(
 ///     MeshCommand::of(&words, &domain).advised(Purpose::Patch),
-///     "mindeg mesh 'my coast.svg' --feature 2 --keep-angle 95% -o mesh.obj"
+///     "mindeg mesh 'my coast.svg' --feature 2 --keep-angle 95% -o mesh-keep-angle-95.obj"
 /// );
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -22,8 +22,10 @@ use mindeg::Domain;
 pub struct MeshCommand {
     /// The file, if there is one, and the options that say how it is read.
     words: Vec<String>,
-    /// Whether the words name the files to write.
-    writes: bool,
+    /// The words for the domain alone.
+    domain: Vec<String>,
+    /// The stem of the names of the files to write, unless the words name them.
+    stem: Option<String>,
     reads_standard_input: bool,
     inside: &'static [&'static str],
     boundary_alone: &'static [&'static str],
@@ -34,7 +36,8 @@ impl Default for MeshCommand {
     fn default() -> Self {
         Self {
             words: vec!["DOMAIN.json".to_owned()],
-            writes: false,
+            domain: vec!["DOMAIN.json".to_owned()],
+            stem: Some("mesh".to_owned()),
             reads_standard_input: false,
             inside: INSIDE,
             boundary_alone: &[],
@@ -68,7 +71,8 @@ impl MeshCommand {
     pub fn of(words: &[String], domain: &Domain) -> Self {
         Self {
             words: words.to_vec(),
-            writes: false,
+            domain: words.to_vec(),
+            stem: Some(domain_stem(domain)),
             reads_standard_input: words.first().is_some_and(|word| word == "-"),
             inside: inside_options(domain),
             boundary_alone: boundary_alone_options(domain),
@@ -81,25 +85,33 @@ impl MeshCommand {
         // They would stand twice, or one beside its contrary.
         let given_anew = ["--interior", "--no-interior", "--write-anyway"];
         let is_kept = |word: &&String| !given_anew.contains(&word.as_str());
-        Self { words: words.iter().filter(is_kept).cloned().collect(), writes: true, ..self }
+        Self { words: words.iter().filter(is_kept).cloned().collect(), stem: None, ..self }
     }
 
     /// The command that makes the mesh for a purpose.
     #[must_use]
     pub fn advised(&self, purpose: Purpose) -> String {
         match purpose {
-            Purpose::Solver => self.line(self.inside),
+            Purpose::Solver => self.line(self.inside, POINTS_INSIDE),
             purpose => self.of_boundary_alone(purpose.options()),
         }
+    }
+
+    /// The command that measures the meshes to choose from.
+    #[must_use]
+    pub fn measuring(&self) -> String {
+        let words: Vec<String> = self.domain.iter().map(|word| shell_word(word)).collect();
+        self.reading(format!("mindeg tradeoff {}", words.join(" ")))
     }
 
     /// The command that makes a mesh without points inside, with these options.
     #[must_use]
     pub fn of_boundary_alone(&self, options: &[&str]) -> String {
-        self.line(&[options, self.boundary_alone].concat())
+        let which = if options.is_empty() { LEAST_DEGREE.to_owned() } else { options.join(" ") };
+        self.line(&[options, self.boundary_alone].concat(), &which)
     }
 
-    fn line(&self, options: &[&str]) -> String {
+    fn line(&self, options: &[&str], which: &str) -> String {
         // After the word "--" a word is a file, not an option.
         let end = self.words.iter().position(|word| word == "--").unwrap_or(self.words.len());
         let (words, files) = self.words.split_at(end);
@@ -107,14 +119,47 @@ impl MeshCommand {
         line.extend(words.iter().map(|word| shell_word(word)));
         line.extend(options.iter().copied().map(str::to_owned));
         line.extend(files.iter().map(|word| shell_word(word)));
-        if !self.writes {
-            line.push("-o mesh.obj".to_owned());
-        }
-        if self.reads_standard_input {
-            line.push("< DOMAIN.json".to_owned());
-        }
-        line.join(" ")
+        line.extend(self.stem.as_ref().map(|stem| format!("-o {stem}-{}.obj", plain(which))));
+        self.reading(line.join(" "))
     }
+
+    fn reading(&self, line: String) -> String {
+        if self.reads_standard_input { line + " < DOMAIN.json" } else { line }
+    }
+}
+
+/// The mesh with points inside, in words for the name of its file.
+pub const POINTS_INSIDE: &str = "points inside";
+
+/// The mesh of least degree, in words for the name of its file.
+pub const LEAST_DEGREE: &str = "least degree";
+
+/// The stem of the file of one of the meshes of a domain: the domain's name, and which mesh it is.
+///
+/// ```
+/// use mindeg::{Domain, Side};
+/// use mindeg_answers::command::{POINTS_INSIDE, mesh_stem};
+///
+/// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(4); 4])?.named("My plate (2)")?;
+/// assert_eq!(mesh_stem(&domain, POINTS_INSIDE), "my-plate-2-points-inside");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[must_use]
+pub fn mesh_stem(domain: &Domain, which: &str) -> String {
+    format!("{}-{}", domain_stem(domain), plain(which))
+}
+
+/// A domain's name in small letters, digits and dashes; `mesh` where nothing of it is left.
+#[must_use]
+pub fn domain_stem(domain: &Domain) -> String {
+    let stem = plain(domain.name().unwrap_or_default());
+    if stem.is_empty() { "mesh".to_owned() } else { stem.chars().take(60).collect() }
+}
+
+/// A text in small letters, digits and dashes.
+fn plain(text: &str) -> String {
+    let words = text.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
+    words.map(str::to_ascii_lowercase).collect::<Vec<_>>().join("-")
 }
 
 /// A file as a command names it: one that begins with a dash would look like an option.
@@ -160,14 +205,21 @@ mod tests {
     #[test]
     fn a_command_can_be_pasted() {
         for (input, word) in [("a.json", "a.json"), ("it's.json", r"'it'\''s.json'"), ("", "''")] {
-            let line = format!("mindeg mesh {word} --keep-angle 95% -o mesh.obj");
+            let line = format!("mindeg mesh {word} --keep-angle 95% -o mesh-keep-angle-95.obj");
             assert_eq!(command(&[input], "").advised(Purpose::Patch), line);
         }
-        assert_eq!(command(&["a"], "").advised(Purpose::Fewest), "mindeg mesh a -o mesh.obj");
+        let fewest = command(&["a"], r#", "name": "A b""#).advised(Purpose::Fewest);
+        assert_eq!(fewest, "mindeg mesh a -o a-b-least-degree.obj");
+        let command = command(&["-", "--repair"], "");
         assert_eq!(
-            command(&["-", "--repair"], "").advised(Purpose::Solver),
-            "mindeg mesh - --repair --interior -o mesh.obj < DOMAIN.json"
+            command.advised(Purpose::Solver),
+            "mindeg mesh - --repair --interior -o mesh-points-inside.obj < DOMAIN.json"
         );
+        assert_eq!(
+            command.of_boundary_alone(&["--max-degree", "5"]),
+            "mindeg mesh - --repair --max-degree 5 -o mesh-max-degree-5.obj < DOMAIN.json"
+        );
+        assert_eq!(command.measuring(), "mindeg tradeoff - --repair < DOMAIN.json");
     }
 
     #[test]
@@ -202,8 +254,10 @@ mod tests {
         ] {
             let command = command(&["a.json"], more);
             let lines = [Purpose::Solver, Purpose::Fewest].map(|purpose| command.advised(purpose));
-            assert_eq!(lines[0], format!("mindeg mesh a.json {inside} -o mesh.obj"), "{more}");
-            assert_eq!(lines[1], format!("mindeg mesh a.json{fewest} -o mesh.obj"), "{more}");
+            let expected = format!("mindeg mesh a.json {inside} -o mesh-points-inside.obj");
+            assert_eq!(lines[0], expected, "{more}");
+            let expected = format!("mindeg mesh a.json{fewest} -o mesh-least-degree.obj");
+            assert_eq!(lines[1], expected, "{more}");
         }
     }
 }

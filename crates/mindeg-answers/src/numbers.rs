@@ -89,34 +89,21 @@ impl Column {
     }
 }
 
-/// A share of 0 to 1 in percent; what is more than nothing and less than all stays so.
+/// A share in percent, in sentences and in columns: to one decimal, and none where the percent is whole, as a share that
+/// was asked for is. What is more than nothing and less than all stays so.
 ///
 /// ```
 /// use mindeg_answers::numbers::percent;
 ///
-/// assert_eq!([0.0, 1e-9, 0.9695, 0.99999, 1.0].map(percent), ["0%", "<0.1%", "97%", ">99.9%", "100%"]);
+/// assert_eq!([1e-9, 0.9695, 0.95, 0.99999, 1.0].map(percent), ["<0.1%", "97.0%", "95%", ">99.9%", "100%"]);
 /// ```
 #[must_use]
 pub fn percent(share: f64) -> String {
     match share * 100.0 {
-        0.0 => "0%".into(),
+        percent if (percent - percent.round()).abs() < 1e-9 && (share == 0.0 || percent >= 0.1) => {
+            format!("{percent:.0}%")
+        }
         percent if percent < 0.1 => "<0.1%".into(),
-        percent if percent > 99.9 && percent < 100.0 => ">99.9%".into(),
-        percent => format!("{}%", significant(percent, 3)),
-    }
-}
-
-/// A share of 0 to 1 in percent, to one decimal, as the shares of a column are written.
-///
-/// ```
-/// use mindeg_answers::numbers::steady_percent;
-///
-/// assert_eq!([0.0, 0.9695, 0.99999, 1.0].map(steady_percent), ["0.0%", "97.0%", ">99.9%", "100.0%"]);
-/// ```
-#[must_use]
-pub fn steady_percent(share: f64) -> String {
-    match share * 100.0 {
-        percent if percent > 0.0 && percent < 0.1 => "<0.1%".into(),
         percent if percent > 99.9 && percent < 100.0 => ">99.9%".into(),
         percent => format!("{percent:.1}%"),
     }
@@ -213,16 +200,19 @@ mod tests {
 
     #[test]
     fn rounds_no_share_to_nothing_or_all() {
-        for (share, text, steady) in [
-            (0.0, "0%", "0.0%"),
-            (1e-9, "<0.1%", "<0.1%"),
-            (0.001, "0.1%", "0.1%"),
-            (0.1234, "12.3%", "12.3%"),
-            (0.999, "99.9%", "99.9%"),
-            (0.99999, ">99.9%", ">99.9%"),
-            (1.0, "100%", "100.0%"),
+        for (share, text) in [
+            (0.0, "0%"),
+            (1e-9, "<0.1%"),
+            (0.001, "0.1%"),
+            (0.1234, "12.3%"),
+            (0.9699, "97.0%"),
+            (0.07, "7%"),
+            (0.999, "99.9%"),
+            (0.99999, ">99.9%"),
+            (1.0, "100%"),
+            (7.526, "752.6%"),
         ] {
-            assert_eq!((&*percent(share), &*steady_percent(share)), (text, steady));
+            assert_eq!(percent(share), text);
         }
     }
 

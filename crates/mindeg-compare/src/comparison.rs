@@ -8,7 +8,7 @@ use crate::{Method, NoTriangulation, measure, regions, verdict};
 use glam::DVec2;
 use mindeg::exact::{self, ExactMesh, TradeOff};
 use mindeg::{Domain, Goal, MeshError, Progress, Rings, Step};
-use mindeg_answers::advice::{Advice, AdvisedMesh, KEPT, Purpose, is_small};
+use mindeg_answers::advice::{Advice, AdvisedMesh, KEPT, Purpose, advised_interior};
 use mindeg_answers::trade_off::TradeOffAnswer;
 use mindeg_mesh::planar::PlanarBoundary;
 use std::ops::ControlFlow;
@@ -215,36 +215,40 @@ pub fn compare(domain: &Domain, options: &CompareOptions) -> Result<Comparison, 
     }
     let mut points = regions::points(&boundary).into_owned();
     let shared_points = points.len();
-    let mut advice = Advice::UNMEASURED;
+    let wanted = match options.interior {
+        true => domain.interior().cloned().unwrap_or_default(),
+        false => advised_interior(domain),
+    };
+    let inside = interior::inside(domain, &wanted, options.time_limit);
+    let patch = mindeg::mesh(domain, Goal::KeepAngle(KEPT), Progress::NONE).ok();
+    let advice = Advice::among(
+        inside
+            .as_ref()
+            .map(|(found, _)| AdvisedMesh::of_interior(&found.report))
+            .map_err(Into::into),
+        patch.as_ref().map(AdvisedMesh::of),
+        Some(AdvisedMesh::of(&meshed)),
+    );
+    // Where the trade-off was not worked out, no method has that mesh.
+    if let Some(patch) = patch.filter(|_| trade_off.is_none()) {
+        let list: Vec<[u32; 3]> = patch.mesh.triangles().collect();
+        methods.push(figures(Method::Kept, &list));
+        triangles.push(list);
+    }
     let mut interior = Vec::new();
-    if is_small(domain) || options.interior {
-        let inside = interior::inside(domain, options.time_limit);
-        let patch = mindeg::mesh(domain, Goal::KeepAngle(KEPT), Progress::NONE).ok();
-        advice = Advice::among(
-            inside.as_ref().ok().map(|(found, _)| AdvisedMesh::of_interior(&found.report)),
-            patch.as_ref().map(AdvisedMesh::of),
-            Some(AdvisedMesh::of(&meshed)),
-        );
-        // Where the trade-off was not worked out, no method has that mesh.
-        if let Some(patch) = patch.filter(|_| trade_off.is_none()) {
-            let list: Vec<[u32; 3]> = patch.mesh.triangles().collect();
-            methods.push(figures(Method::Kept, &list));
-            triangles.push(list);
-        }
-        if options.interior {
-            interior = interior::beside(domain, &inside);
-        }
-        if let Ok((found, seconds)) = inside {
-            points = interior::points(&found);
-            let list = found.mesh.triangles();
-            methods.push(MethodFigures {
-                method: Method::Inside,
-                description: Method::Inside.description().into_owned(),
-                seconds: Some(seconds),
-                ..measure::figures_inside(domain, &boundary, &points, list)
-            });
-            triangles.push(list.to_vec());
-        }
+    if options.interior {
+        interior = interior::beside(domain, &inside, options.time_limit);
+    }
+    if let Ok((found, seconds)) = inside {
+        points = interior::points(&found);
+        let list = found.mesh.triangles();
+        methods.push(MethodFigures {
+            method: Method::Inside,
+            description: Method::Inside.description().into_owned(),
+            seconds: Some(seconds),
+            ..measure::figures_inside(domain, &boundary, &points, list)
+        });
+        triangles.push(list.to_vec());
     }
     mark_same_meshes(&mut methods, &triangles);
     let rings = domain.rings();

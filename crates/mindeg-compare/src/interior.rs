@@ -4,9 +4,9 @@
 
 use crate::{Method, NoTriangulation};
 use glam::DVec2;
-use mindeg::interior::{self, InteriorMesh, degree_limit};
+use mindeg::interior::{self, InteriorError, InteriorMesh, degree_limit};
 use mindeg::quality::TriangleQuality;
-use mindeg::{Domain, Progress, Step};
+use mindeg::{Domain, Interior, Progress, Step};
 use mindeg_delaunay::refined;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -52,23 +52,17 @@ const REFINED_TO: f64 = 30.0;
 const MOST_ADDED: usize = 1000;
 
 /// mindeg's mesh with points inside, and the seconds that it took; or why there is none.
-pub(crate) type Inside = Result<(InteriorMesh, f64), String>;
+pub(crate) type Inside = Result<(InteriorMesh, f64), InteriorError>;
 
 /// Puts points inside a domain.
-pub(crate) fn inside(domain: &Domain, time_limit: Duration) -> Inside {
-    let wanted = domain.interior().cloned().unwrap_or_default();
+pub(crate) fn inside(domain: &Domain, wanted: &Interior, time_limit: Duration) -> Inside {
     let start = Instant::now();
     let in_time = |_: Step<'_>| {
         let is_in_time = start.elapsed() < time_limit;
         if is_in_time { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     };
-    match interior::mesh(domain, &wanted, Progress::new(&in_time)) {
-        Ok(found) => Ok((found, start.elapsed().as_secs_f64())),
-        Err(interior::InteriorError::Cancelled(_)) => {
-            Err(NoTriangulation::TimeLimit { limit: time_limit }.to_string())
-        }
-        Err(error) => Err(error.to_string()),
-    }
+    let found = interior::mesh(domain, wanted, Progress::new(&in_time))?;
+    Ok((found, start.elapsed().as_secs_f64()))
 }
 
 /// The positions of a mesh with points inside.
@@ -77,13 +71,22 @@ pub(crate) fn points(found: &InteriorMesh) -> Vec<DVec2> {
 }
 
 /// mindeg's mesh with interior points and spade's refinement of the same boundary.
-pub(crate) fn beside(domain: &Domain, inside: &Inside) -> Vec<InteriorFigures> {
+pub(crate) fn beside(
+    domain: &Domain,
+    inside: &Inside,
+    time_limit: Duration,
+) -> Vec<InteriorFigures> {
     let wanted = domain.interior().cloned().unwrap_or_default();
     let limit = interior::angle_limit(domain, &wanted).ok().map(|limit| limit.min_angle);
-    vec![own(domain, limit, inside), spade(domain, limit)]
+    vec![own(domain, limit, inside, time_limit), spade(domain, limit)]
 }
 
-fn own(domain: &Domain, limit: Option<f64>, inside: &Inside) -> InteriorFigures {
+fn own(
+    domain: &Domain,
+    limit: Option<f64>,
+    inside: &Inside,
+    time_limit: Duration,
+) -> InteriorFigures {
     let named = InteriorFigures {
         method: Method::Inside.to_string(),
         description: Method::Inside.description().into_owned(),
@@ -94,7 +97,15 @@ fn own(domain: &Domain, limit: Option<f64>, inside: &Inside) -> InteriorFigures 
             let figures = measured(domain, &points(found), found.mesh.triangles(), limit);
             InteriorFigures { seconds: Some(*seconds), ..with_names(named, figures) }
         }
-        Err(failure) => InteriorFigures { failure: Some(failure.clone()), ..named },
+        Err(error) => {
+            let failure = match error {
+                InteriorError::Cancelled(_) => {
+                    NoTriangulation::TimeLimit { limit: time_limit }.to_string()
+                }
+                error => error.to_string(),
+            };
+            InteriorFigures { failure: Some(failure), ..named }
+        }
     }
 }
 
@@ -196,8 +207,9 @@ mod tests {
     #[test]
     fn both_meshes_are_measured() {
         let domain = Domain::rectangle(4.0, 3.0, [16, 12, 16, 3].map(Side::count).into()).unwrap();
-        let found = inside(&domain, Duration::from_secs(60));
-        let [own, spade] = &beside(&domain, &found)[..] else { panic!("two") };
+        let minute = Duration::from_secs(60);
+        let found = inside(&domain, &Interior::default(), minute);
+        let [own, spade] = &beside(&domain, &found, minute)[..] else { panic!("two") };
         assert_eq!((own.violations, own.max_boundary_degree), (Some(0), Some(5)), "{own:?}");
         assert!(own.share_of_limit > Some(0.95) && own.share_of_limit <= Some(1.0 + 1e-9));
         assert!(spade.min_angle < own.min_angle, "{spade:?}");
@@ -207,7 +219,8 @@ mod tests {
     #[test]
     fn what_is_late_says_so() {
         let domain = Domain::rectangle(4.0, 3.0, [16, 12, 16, 3].map(Side::count).into()).unwrap();
-        let own = &beside(&domain, &inside(&domain, Duration::ZERO))[0];
+        let late = inside(&domain, &Interior::default(), Duration::ZERO);
+        let own = &beside(&domain, &late, Duration::ZERO)[0];
         assert!(own.failure.as_ref().is_some_and(|text| text.contains("time limit")), "{own:?}");
         assert_eq!(own.triangles, None);
     }

@@ -116,12 +116,7 @@ fn least(report: &Report) -> &'static str {
 
 /// How much of Delaunay's minimum angle a mesh has.
 fn kept(share: f64) -> String {
-    if share >= 1.0 - SAME { "all".to_owned() } else { less_than_all(share) }
-}
-
-/// Less than all in whole percent: 99.7% is not 100%.
-fn less_than_all(share: f64) -> String {
-    if share < 0.1 { percent(share) } else { format!("{:.0}%", (share * 100.0).min(99.0)) }
+    if share >= 1.0 - SAME { "all".to_owned() } else { percent(share) }
 }
 
 /// Where a mesh with a good minimum angle has worse triangles than Delaunay's in general.
@@ -138,8 +133,8 @@ fn caveat(taken: &MethodFigures, delaunay: &MethodFigures) -> Option<String> {
     let more = more.map(|(below, own, there)| {
         format!(
             "{} of the triangles have an angle below {below}°, against {} in Delaunay's mesh",
-            rounded(own),
-            rounded(there)
+            percent(own),
+            percent(there)
         )
     });
     let median = |method: &MethodFigures| method.spread("min_angle").map(|spread| spread.median);
@@ -153,11 +148,6 @@ fn caveat(taken: &MethodFigures, delaunay: &MethodFigures) -> Option<String> {
     });
     let parts: Vec<String> = [more, low].into_iter().flatten().collect();
     (!parts.is_empty()).then(|| format!("But of that patch, {}.", parts.join(", and ")))
-}
-
-/// A share in whole percent.
-fn rounded(share: f64) -> String {
-    if share > 0.0 && share < 0.01 { percent(share) } else { format!("{:.0}%", share * 100.0) }
 }
 
 /// The reason why a method has no valid mesh; a missing fan needs no reason.
@@ -194,7 +184,7 @@ mod tests {
     use crate::figures::{DomainFigures, MethodDefect};
     use crate::report::Provenance;
     use mindeg::quality::Distribution;
-    use mindeg_answers::advice::{Advice, AdvisedMesh};
+    use mindeg_answers::advice::{Advice, AdvisedMesh, NoPoints};
 
     const FAN: Method = Method::Reference(Reference::Fan);
 
@@ -252,7 +242,7 @@ mod tests {
             provenance: Provenance::default(),
             domain,
             purpose: Some(Purpose::Patch),
-            advice: Advice::among(None, patch, None),
+            advice: Advice::among(Err(NoPoints::Impossible(String::new())), patch, None),
             methods,
             trade_off: None,
             interior: Vec::new(),
@@ -291,7 +281,7 @@ mod tests {
             (
                 (1.0, 1.0),
                 (0.786, 0.95),
-                Some("100% of the triangles have an angle below 5°, against 79%"),
+                Some("100% of the triangles have an angle below 5°, against 78.6%"),
             ),
             ((0.1, 0.5), (0.05, 0.45), None),
             // The text gives the greater of two differences, whatever the shares are.

@@ -77,7 +77,7 @@ export function showAdvice() {
     const { purpose } = button.dataset;
     const mesh = advice?.[purpose];
     button.setAttribute("aria-pressed", String(purpose === now));
-    button.querySelector(".figures").textContent = mesh ? `${angleText(mesh.min_angle)}, degree ${mesh.max_degree}` : advice ? "no mesh" : "";
+    button.querySelector(".figures").textContent = mesh ? `${angleText(mesh.min_angle)}, degree ${mesh.max_degree}` : advice ? (purpose === "solver" && !advice.no_solver ? "too large to show" : "no mesh") : "";
   }
   if (!advice) {
     element("advice").textContent = "…";

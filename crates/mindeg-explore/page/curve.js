@@ -12,7 +12,13 @@ function draw(tag, attributes, text) {
   return made;
 }
 
-const percent = (share) => (share > 0.999 && share < 1 ? ">99.9%" : `${Number((100 * share).toPrecision(3))}%`);
+/** As the same shares are written everywhere, by `percent` of mindeg-answers. */
+function percent(share) {
+  const whole = Math.round(100 * share);
+  if (Math.abs(100 * share - whole) < 1e-9 && (whole || !share)) return `${whole}%`;
+  if (share < 0.001) return "<0.1%";
+  return share > 0.999 && share < 1 ? ">99.9%" : `${(100 * share).toFixed(1)}%`;
+}
 
 /** Round steps of an axis up to `highest`. */
 function steps(highest, most) {

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use mindeg::exact::trade_off;
 use mindeg::interior::InteriorMesh;
 use mindeg::{BoundaryMesh, Domain, Goal, is_by_formula};
-use mindeg_answers::advice::{Advice, AdviceAnswer, AdvisedMesh, Purpose};
+use mindeg_answers::advice::{Advice, AdviceAnswer, AdvisedMesh, NoPoints, Purpose};
 use mindeg_answers::degree::DegreeReport;
 use mindeg_answers::trade_off::TradeOffAnswer;
 use mindeg_mesh::{Cancelled, Progress};
@@ -14,7 +14,7 @@ use mindeg_mesh::{Cancelled, Progress};
 use crate::api::{AnswerLine, CurveShown, DegreeShown, Part, Request, View};
 use crate::changes;
 use crate::command::{KnownFiles, command};
-use crate::mesh::Made;
+use crate::mesh::{Made, no_interior};
 use crate::shown::{self, Figure};
 use crate::terms::without_options;
 
@@ -108,7 +108,7 @@ struct Answering<'a> {
     /// The figures of the meshes for [`Purpose::ALL`] that were made.
     made: [Option<AdvisedMesh>; 3],
     /// Why there is no mesh with points inside.
-    no_interior: Option<String>,
+    no_interior: Option<NoPoints>,
 }
 
 impl Answering<'_> {
@@ -211,11 +211,11 @@ impl Answering<'_> {
                     (self.out)(&AnswerLine::Mesh(Box::new(shown)));
                 }
             }
-            Err(message) => {
+            Err(error) => {
                 if self.shows(Part::Interior) {
-                    (self.out)(&refused(Some(Part::Interior), message.clone()));
+                    (self.out)(&refused(Some(Part::Interior), no_interior(&error)));
                 }
-                self.no_interior = Some(message);
+                self.no_interior = Some(NoPoints::from(&error));
             }
         }
         Ok(())
@@ -241,14 +241,9 @@ impl Answering<'_> {
             }
         }
         let [solver, patch, fewest] = self.made;
-        let mut answer = AdviceAnswer::of(Advice::among(solver, patch, fewest));
-        if let Some(reason) = &self.no_interior {
-            let own = answer.words.iter_mut().filter(|(purpose, _)| *purpose == Purpose::Solver);
-            own.for_each(|(_, words)| {
-                *words = format!("Points inside cannot be put here: {}", without_options(reason))
-            });
-        }
-        (self.out)(&AnswerLine::Advice(answer));
+        let why = self.no_interior.take().unwrap_or(NoPoints::Unmeasured);
+        let advice = Advice::among(solver.ok_or(why), patch, fewest);
+        (self.out)(&AnswerLine::Advice(AdviceAnswer::of(advice)));
         Ok(())
     }
 

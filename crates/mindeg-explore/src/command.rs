@@ -1,7 +1,10 @@
 //! The command line that makes a mesh of the page.
 
 use mindeg::{Domain, Goal};
-use mindeg_answers::command::{boundary_alone_options, inside_options, shell_word};
+use mindeg_answers::command::{
+    LEAST_DEGREE, POINTS_INSIDE, boundary_alone_options, domain_stem, inside_options, mesh_stem,
+    shell_word,
+};
 use mindeg_files::Format;
 use serde_json::Value;
 
@@ -30,30 +33,17 @@ impl KnownFiles {
     }
 }
 
-/// The stem of the file names of a mesh: the domain's name in small letters, digits and dashes, and which mesh it is.
+/// The stem of the file names of a mesh: the domain's name, and which mesh it is.
 pub(crate) fn file_stem(domain: &Domain, view: View, goal: Goal) -> String {
-    let which = match (view, goal) {
-        (View::Interior, _) => "points-inside".to_owned(),
-        (View::Delaunay, _) => "delaunay".to_owned(),
-        (View::Least, _) => "least-degree".to_owned(),
+    match (view, goal) {
+        (View::Interior, _) => mesh_stem(domain, POINTS_INSIDE),
+        (View::Delaunay, _) => mesh_stem(domain, "delaunay"),
+        (View::Least, _) => mesh_stem(domain, LEAST_DEGREE),
         (View::Wanted, goal) => {
             let (kind, value) = goal.kind_and_value();
-            stem(&format!("{} {value}", kind.key))
+            mesh_stem(domain, &format!("{} {value}", kind.key))
         }
-    };
-    format!("{}-{which}", domain_stem(domain))
-}
-
-/// A domain's name in small letters, digits and dashes.
-fn domain_stem(domain: &Domain) -> String {
-    let stem = stem(domain.name().unwrap_or_default());
-    if stem.is_empty() { "mesh".to_owned() } else { stem.chars().take(60).collect() }
-}
-
-/// A text in small letters, digits and dashes.
-fn stem(text: &str) -> String {
-    let words = text.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
-    words.map(str::to_ascii_lowercase).collect::<Vec<_>>().join("-")
+    }
 }
 
 /// The command that writes the mesh of a view, ready for a POSIX shell.

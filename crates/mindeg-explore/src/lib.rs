@@ -49,6 +49,6 @@ pub use api::{AnswerLine, Part, Request, Source, View};
 pub use body::MAX_BYTES;
 pub use command::KnownFiles;
 pub use presets::presets;
-pub use reading::{REPAIRED, sources};
+pub use reading::{REPAIRED, Repair, least_repaired, sources};
 pub use server::{Server, ServerError};
 pub use setup::Setup;

@@ -5,14 +5,12 @@ use std::time::Duration;
 
 use mindeg::MeshError;
 use mindeg::interior::{self, InteriorError, InteriorMesh};
-use mindeg::{Domain, Goal, Interior, Mesh, Meshed, TriMesh};
+use mindeg::{Domain, Goal, Mesh, Meshed, TriMesh};
+use mindeg_answers::advice::{MOST_POINTS, advised_interior};
 use mindeg_compare::Reference;
 use mindeg_mesh::Progress;
 
 use crate::api::{Request, View};
-
-/// The most points of a mesh with interior points.
-const MAX_POINTS: usize = 200_000;
 
 /// How long a Delaunay triangulation may take.
 const DELAUNAY_TIME: Duration = Duration::from_secs(20);
@@ -48,7 +46,9 @@ impl Made {
             View::Wanted => boundary(request.goal),
             View::Least => boundary(Goal::LeastDegree),
             View::Delaunay => delaunay(domain).map(|mesh| Self::Delaunay(Box::new(mesh))),
-            View::Interior => Self::interior(domain, None, progress),
+            View::Interior => {
+                Self::interior(domain, None, progress).map_err(|error| no_interior(&error))
+            }
         }
     }
 
@@ -56,23 +56,14 @@ impl Made {
     ///
     /// # Errors
     ///
-    /// The errors of [`Made::new`].
+    /// Those of [`interior::mesh_showing`].
     pub(crate) fn interior(
         domain: &Domain,
         show: Option<&mut dyn FnMut(InteriorMesh) -> ControlFlow<()>>,
         progress: Progress<'_>,
-    ) -> Result<Self, String> {
-        let wanted = domain.interior().cloned().unwrap_or_default();
-        let most = wanted.max_points.map_or(MAX_POINTS, |most| most.min(MAX_POINTS));
-        let wanted = Interior { max_points: Some(most), ..wanted };
-        let found = interior::mesh_showing(domain, &wanted, show, progress);
-        found.map(|found| Self::Interior(Box::new(found))).map_err(|error| match error {
-            InteriorError::TooManyPoints { max: MAX_POINTS } => format!(
-                "It has more than {MAX_POINTS} points, more than the page shows. \"Copy the command\" gives the command \
-                 that makes it; a larger size inside, with a larger growth, gives fewer points."
-            ),
-            error => error.to_string(),
-        })
+    ) -> Result<Self, InteriorError> {
+        let found = interior::mesh_showing(domain, &advised_interior(domain), show, progress)?;
+        Ok(Self::Interior(Box::new(found)))
     }
 
     /// For writers.
@@ -82,6 +73,17 @@ impl Made {
             Self::Delaunay(mesh) => &**mesh,
             Self::Interior(found) => &found.mesh,
         }
+    }
+}
+
+/// Why there is no mesh with points inside, in a sentence.
+pub(crate) fn no_interior(error: &InteriorError) -> String {
+    match error {
+        InteriorError::TooManyPoints { max: MOST_POINTS } => format!(
+            "It has more than {MOST_POINTS} points, more than the page shows. \"Copy the command\" gives the command \
+             that makes it; a larger size inside, with a larger growth, gives fewer points."
+        ),
+        error => error.to_string(),
     }
 }
 

@@ -35,30 +35,59 @@ pub const REPAIRED: &str = "Rings touched or crossed, or polygons overlapped; th
 /// # Ok::<(), mindeg_files::FileError>(())
 /// ```
 pub fn sources(session: &Session, input: &Input<'_>) -> Result<Vec<Source>, FileError> {
-    let plain = read(session, input, &ReadOptions::default());
     let refused = |found: &Found| {
         let sources = found.sources.iter();
         let alone = sources.filter(|source| source.domain.is_none() && !source.is_solid).count();
         alone + usize::from(found.no_map.is_some())
     };
-    let mut least = plain.as_ref().map_or(usize::MAX, refused);
-    let mut best = plain;
-    // Together, what polygons share stays shared.
-    for together in [false, true] {
+    let read = |repair| {
+        let together = repair == Repair::Together;
+        let options =
+            ReadOptions { repair: repair != Repair::None, together, ..ReadOptions::default() };
+        read(session, input, &options)
+    };
+    let (mut found, repair) = least_repaired(read, refused)?;
+    if repair != Repair::None {
+        for source in found.sources.iter_mut().filter(|source| source.domain.is_some()) {
+            source.notes.insert(0, REPAIRED.to_owned());
+        }
+    }
+    Ok(found.told())
+}
+
+/// How polygons are repaired unasked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Repair {
+    /// Not at all.
+    None,
+    /// Each alone.
+    Alone,
+    /// As regions of one map: what they share stays shared.
+    Together,
+}
+
+/// What `read` gives with the repair of which the fewest are `refused`: with the least repair for that.
+///
+/// # Errors
+///
+/// The error without a repair, if nothing is read with any.
+pub fn least_repaired<T, E>(
+    mut read: impl FnMut(Repair) -> Result<T, E>,
+    refused: impl Fn(&T) -> usize,
+) -> Result<(T, Repair), E> {
+    let mut best = read(Repair::None).map(|found| (found, Repair::None));
+    let mut least = best.as_ref().map_or(usize::MAX, |(found, _)| refused(found));
+    for repair in [Repair::Alone, Repair::Together] {
         if least == 0 {
             break;
         }
-        let options = ReadOptions { repair: true, together, ..ReadOptions::default() };
-        let Ok(mut found) = read(session, input, &options) else { continue };
+        let Ok(found) = read(repair) else { continue };
         if refused(&found) < least {
             least = refused(&found);
-            for source in found.sources.iter_mut().filter(|source| source.domain.is_some()) {
-                source.notes.insert(0, REPAIRED.to_owned());
-            }
-            best = Ok(found);
+            best = Ok((found, repair));
         }
     }
-    best.map(Found::told)
+    best
 }
 
 /// The content of a file, as the page takes it.

@@ -221,6 +221,7 @@ fn small_curve(report: &Report, trade_off: &TradeOff) -> io::Result<String> {
     let marks = Marks {
         advised: report.advice.patch.map(|patch| patch.max_degree),
         delaunay: delaunay.and_then(|figures| figures.max_degree),
+        ..Marks::default()
     };
     curve_picture(trade_off, SMALL_CURVE, "small", marks, |_| false)
 }
@@ -304,7 +305,8 @@ pub(super) fn facts(
 /// The commands that make the advised meshes, the one to take first.
 pub(super) fn commands(report: &Report) -> Vec<String> {
     let purposes = report.advice.purposes(report.purpose);
-    purposes.into_iter().map(|purpose| report.provenance.mesh.advised(purpose)).collect()
+    let possible = purposes.into_iter().filter(|&purpose| report.advice.is_possible(purpose));
+    possible.map(|purpose| report.provenance.mesh.advised(purpose)).collect()
 }
 
 fn advised_for(purpose: Purpose) -> &'static str {
@@ -324,7 +326,9 @@ pub(super) fn vertex_words(regions: Option<u32>) -> &'static str {
 fn commands_without_mesh(report: &Report) -> Vec<String> {
     let shown: Vec<Purpose> = advised(report).into_iter().map(|(purpose, _)| purpose).collect();
     let purposes = report.advice.purposes(report.purpose);
-    let missing = purposes.into_iter().filter(|purpose| !shown.contains(purpose));
+    let is_missing =
+        |purpose: &Purpose| !shown.contains(purpose) && report.advice.is_possible(*purpose);
+    let missing = purposes.into_iter().filter(is_missing);
     missing.map(|purpose| report.provenance.mesh.advised(purpose)).collect()
 }
 
@@ -411,11 +415,9 @@ mod tests {
         write_html(&comparison, &mut page).unwrap();
         let page = String::from_utf8(page).unwrap();
         assert!(page.contains("<h1>a b</h1>"));
-        assert!(
-            page.contains(
-                "mindeg mesh &#39;out/of here/a b.json&#39; --keep-angle 95% -o mesh.obj"
-            )
-        );
+        assert!(page.contains(
+            "mindeg mesh &#39;out/of here/a b.json&#39; --keep-angle 95% -o mesh-keep-angle-95.obj"
+        ));
         assert!(page.contains("<code>mindeg compare &#39;a b.json&#39; -o &#60;x&#62;</code>"));
     }
 

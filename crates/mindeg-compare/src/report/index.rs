@@ -75,7 +75,7 @@ impl IndexEntry {
         let line = Line {
             link: link(path),
             vertices: report.domain.vertices,
-            advice: report.advice,
+            advice: report.advice.clone(),
             mindeg: outcome(Method::LeastDegree),
             delaunay: outcome(Method::DELAUNAY),
         };

@@ -14,7 +14,7 @@ use crate::{InteriorFigures, Method};
 use mindeg::quality::Distribution;
 use mindeg_answers::advice::Purpose;
 use mindeg_answers::measures::SHOWN;
-use mindeg_answers::numbers::{Column, count, milliseconds, steady_angle, steady_percent};
+use mindeg_answers::numbers::{Column, count, milliseconds, percent, steady_angle};
 use std::ops::RangeInclusive;
 
 /// Text in rows and columns; the first column names the row.
@@ -67,7 +67,7 @@ pub(crate) fn decisive(title: &str, columns: &[(String, &MethodFigures)]) -> Tab
     let median = |figures: &MethodFigures| figures.spread("min_angle").map(|spread| spread.median);
     let angle = |value: Option<f64>| text(value, steady_angle);
     let below = |figures: &MethodFigures, angle| {
-        text(figures.share_below_degrees.get(&angle).copied(), steady_percent)
+        text(figures.share_below_degrees.get(&angle).copied(), percent)
     };
     Table {
         title: title.to_owned(),
@@ -130,7 +130,7 @@ pub(crate) fn interior(report: &Report) -> Option<Table> {
             mesh,
             text(figures.triangles, |triangles| count(triangles as u64)),
             text(figures.min_angle, steady_angle),
-            text(figures.share_of_limit, steady_percent),
+            text(figures.share_of_limit, percent),
             text(figures.max_angle, steady_angle),
             degree(figures.max_interior_degree),
             degree(figures.max_boundary_degree),
@@ -235,7 +235,7 @@ pub(crate) fn shares(report: &Report) -> Table {
     let angles = meshes.first().map(|mesh| mesh.figures.share_below_degrees.keys());
     let row = |below: &u32| {
         let share = |mesh: &Named| mesh.figures.share_below_degrees.get(below).copied();
-        let shares = meshes.iter().map(|&mesh| text(share(mesh), steady_percent));
+        let shares = meshes.iter().map(|&mesh| text(share(mesh), percent));
         [format!("below {below}°")].into_iter().chain(shares).collect()
     };
     Table {

@@ -10,6 +10,7 @@ use askama::Template;
 use glam::DVec2;
 use mindeg::Bounds;
 use mindeg::exact::{ExactMesh, TradeOff};
+use mindeg_answers::advice::AdvisedMesh;
 use mindeg_answers::numbers::{count, percent, significant, steady_angle};
 
 /// Space for numbers left of the axis and below it, and for what reaches over the right end.
@@ -49,6 +50,8 @@ pub(in crate::report) struct Curve {
     /// The steps, as SVG's path commands.
     path: String,
     points: Vec<Point>,
+    /// The mesh with points inside.
+    inside: Option<Inside>,
     point_class: &'static str,
     radius: f64,
     labels: Vec<Label>,
@@ -71,6 +74,18 @@ struct Point {
     is_advised: bool,
 }
 
+/// The mesh with points inside, on no curve.
+struct Inside {
+    x: f64,
+    y: f64,
+    title: String,
+    /// Its name is beside it, where there is space.
+    label_x: f64,
+    label_y: f64,
+    anchor: &'static str,
+    is_linked: bool,
+}
+
 /// The marks that a curve shows besides the meshes of a trade-off.
 #[derive(Clone, Copy, Default)]
 pub(in crate::report) struct Marks {
@@ -78,6 +93,10 @@ pub(in crate::report) struct Marks {
     pub(in crate::report) advised: Option<u32>,
     /// The maximum degree of the Delaunay triangulation.
     pub(in crate::report) delaunay: Option<u32>,
+    /// The mesh with points inside.
+    pub(in crate::report) inside: Option<AdvisedMesh>,
+    /// Whether that leads to `#points-inside`.
+    pub(in crate::report) links_inside: bool,
 }
 
 /// An angle beside its point.
@@ -139,6 +158,7 @@ impl Curve {
             delaunay_x: marks.delaunay.map(|degree| pixel(axes.x(degree))),
             path: steps(&points),
             points,
+            inside: marks.inside.map(|inside| axes.inside(inside, marks.links_inside)),
             // A ring sets a point off from the line; it would drown a small one.
             point_class: if radius < 4.0 { "point" } else { "point ringed" },
             radius: pixel(radius),
@@ -170,7 +190,8 @@ struct Axes {
 impl Axes {
     fn new(trade_off: &TradeOff, space: Bounds, marks: Marks) -> Self {
         let meshes = trade_off.meshes().iter().map(|exact| exact.max_degree);
-        let degrees = meshes.chain(marks.delaunay);
+        let inside = marks.inside.map(|inside| inside.max_degree);
+        let degrees = meshes.chain(marks.delaunay).chain(inside);
         let [first, last] = [degrees.clone().min(), degrees.max()].map(Option::unwrap_or_default);
         let space = Bounds {
             min: space.min + DVec2::new(LEFT, 0.0),
@@ -178,7 +199,27 @@ impl Axes {
         };
         let count = last - first + 1;
         let step = space.size().x / f64::from(count);
-        Self { space, first, step, count, top: HEADROOM * trade_off.delaunay_min_angle() }
+        let inside = marks.inside.map_or(0.0, |inside| inside.min_angle);
+        let top = HEADROOM * trade_off.delaunay_min_angle().max(inside);
+        Self { space, first, step, count, top }
+    }
+
+    fn inside(&self, inside: AdvisedMesh, is_linked: bool) -> Inside {
+        let (x, y) = (self.x(inside.max_degree), self.y(inside.min_angle));
+        let is_left = x > self.space.center().x;
+        Inside {
+            x: pixel(x),
+            y: pixel(y),
+            title: format!(
+                "points inside: degree {}, {}",
+                count(inside.max_degree),
+                steady_angle(inside.min_angle)
+            ),
+            label_x: pixel(x + if is_left { -14.0 } else { 14.0 }),
+            label_y: pixel(y + 4.5),
+            anchor: if is_left { "end" } else { "start" },
+            is_linked,
+        }
     }
 
     fn x(&self, degree: u32) -> f64 {

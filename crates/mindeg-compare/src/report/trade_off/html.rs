@@ -15,7 +15,7 @@ use mindeg::Bounds;
 use mindeg::exact::{ExactMesh, TradeOff};
 use mindeg::quality::TriangleQuality;
 use mindeg_answers::advice::{Advice, KEPT, Purpose};
-use mindeg_answers::numbers::{count, percent, steady_angle, steady_percent};
+use mindeg_answers::numbers::{count, percent, steady_angle};
 use mindeg_formats::svg::Inset;
 use mindeg_mesh::TriMesh;
 use std::io::{self, Write};
@@ -121,8 +121,12 @@ pub fn write_trade_off_html(
         })
     };
     let is_shown = |degree| shown.iter().any(|&place| meshes[place].max_degree == degree);
-    let marks =
-        Marks { advised: advised(trade_off).map(|exact| exact.max_degree), ..Marks::default() };
+    let marks = Marks {
+        advised: advised(trade_off).map(|exact| exact.max_degree),
+        inside: advice.solver,
+        links_inside: inside.is_some(),
+        ..Marks::default()
+    };
     let verdict = verdict(trade_off, advice, told);
     let [headline, sentences @ ..] = &verdict[..] else { return Ok(()) };
     let mut figures: Vec<Figure> = shown.iter().map(figure).collect::<io::Result<_>>()?;
@@ -230,7 +234,7 @@ fn table(trade_off: &TradeOff, advice: &Advice, inside: Option<&TriMesh>) -> Tab
         vec![
             count(exact.max_degree),
             steady_angle(exact.min_angle),
-            steady_percent(trade_off.share(exact)),
+            percent(trade_off.share(exact)),
             steady_angle(exact.mesh.angle_range().max),
         ]
     };
@@ -238,7 +242,7 @@ fn table(trade_off: &TradeOff, advice: &Advice, inside: Option<&TriMesh>) -> Tab
         vec![
             format!("{}, points inside", count(found.max_degree)),
             steady_angle(found.min_angle),
-            found.share_of_delaunay.map_or_else(|| "–".to_owned(), steady_percent),
+            found.share_of_delaunay.map_or_else(|| "–".to_owned(), percent),
             steady_angle(max_angle(mesh)),
         ]
     });
