@@ -23,7 +23,7 @@ pub(crate) fn run(arguments: &ConditionArguments) -> Result<(), Failure> {
     let size = arguments.size;
     refuse_degrees(&subject, &arguments.change, size)?;
     let Parts { name: of_all, domains } = subject.parts()?;
-    let domains = arguments.kinds.told(&domains)?;
+    let (domains, _) = arguments.kinds.told(&domains)?;
     let demands = arguments.change.demands(arguments.limit, size, arguments.growth);
     let found = bar.waiting("conditioning the boundary", || {
         condition_all(&domains, &demands, &arguments.change.keep)

@@ -8,10 +8,28 @@ use crate::demands::met;
 use crate::failure::Failure;
 use crate::making::read_mesh;
 use crate::standard_output::{print, print_json};
+use crate::terminal::say;
 use mindeg::inspection::{Inspection, InspectionOptions};
 use mindeg_answers::demands::WorstPlaces;
 use mindeg_answers::inspected::InspectionReport;
-use mindeg_files::Input;
+use mindeg_files::{Input, ProjectionChoice, look_like_degrees};
+use mindeg_mesh::TriMesh;
+
+/// The mesh in the plane of its region if its coordinates look like degrees, with a note: a program's rules are for lengths.
+fn in_metres(mesh: TriMesh) -> TriMesh {
+    let points = || mesh.positions().iter().map(|at| at.truncate());
+    let is_flat = mesh.positions().iter().all(|at| at.z == 0.0);
+    if !is_flat || !look_like_degrees(points()) {
+        return mesh;
+    }
+    let Ok(Some(projection)) = ProjectionChoice::Auto.of(points()) else { return mesh };
+    let plane = points().map(|at| projection.to_plane(at).extend(0.0)).collect();
+    say(&format!(
+        "the coordinates look like degrees: --preset judges them in metres, by {}",
+        projection.name()
+    ));
+    mesh.clone().with_positions(plane).unwrap_or(mesh)
+}
 
 pub(crate) fn run(arguments: &InspectArguments) -> Result<(), Failure> {
     let bar = Bar::new(arguments.quiet);
@@ -45,7 +63,8 @@ pub(crate) fn run(arguments: &InspectArguments) -> Result<(), Failure> {
     });
     if let Some(preset) = demands.preset {
         let welded = options.weld.map(|tolerance| mesh.welded(tolerance));
-        unmet.extend(preset.broken_by(welded.as_ref().unwrap_or(&mesh)));
+        let mesh = welded.unwrap_or(mesh);
+        unmet.extend(preset.broken_by(&in_metres(mesh)));
     }
     met(&unmet).and(printed)
 }

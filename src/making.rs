@@ -66,8 +66,9 @@ impl Making {
         let projection = projection.filter(|_| !formats.is_empty());
         self.remarks.extend(projection.map(|projection| {
             format!(
-                "{} has degrees of longitude and latitude, from {projection}",
-                formats.join(" and ")
+                "{} {} degrees of longitude and latitude, from {projection}",
+                formats.join(" and "),
+                if formats.len() == 1 { "has" } else { "have" }
             )
         }));
     }

@@ -70,7 +70,7 @@ pub(crate) struct MeshArguments {
 
     /// Print a summary as JSON; its keys: name, intervals, vertices, triangles, max_degree, least_max_degree,
     /// at_least, min_angle, max_angle, found_by, delaunay_min_angle, reversed, files, and where they apply regions,
-    /// parts and conditioned
+    /// parts, conditioned, openings, depths and projection
     #[arg(long, help_heading = "Messages")]
     pub(crate) json: bool,
 

@@ -48,7 +48,10 @@ impl BoundaryKinds {
     }
 
     /// Gives domains beside each other these kinds of sides.
-    pub(crate) fn told<'d>(&self, domains: &'d [Domain]) -> Result<Cow<'d, [Domain]>, Failure> {
+    pub(crate) fn told<'d>(
+        &self,
+        domains: &'d [Domain],
+    ) -> Result<(Cow<'d, [Domain]>, Vec<Opening>), Failure> {
         if self.is_empty() && self.least_opening.is_some() {
             return Err(Failure::input(
                 "--least-opening is for open water: add --open or --open-between",
@@ -58,7 +61,7 @@ impl BoundaryKinds {
         let is_open =
             |domain: &Domain| domain.sides().iter().any(|side| side.kind == Some(LineKind::Open));
         if self.is_empty() && !domains.iter().any(is_open) {
-            return Ok(Cow::Borrowed(domains));
+            return Ok((Cow::Borrowed(domains), Vec::new()));
         }
         let part = |name: &String| match &**name {
             "box" => OpenWater::Box,
@@ -76,26 +79,34 @@ impl BoundaryKinds {
         let is_projected = domains.iter().any(|domain| domain.projection().is_some());
         let (new, openings) = Domain::all_with_open_water(domains, &parts, least)
             .map_err(|error| Failure::Input(format!("{option}: {error}")))?;
-        if let Some(text) = self.of_land(openings, is_projected) {
+        for ends in self.open_between.chunks_exact(2) {
+            let off = |end: &[f64; 2]| {
+                let distances =
+                    domains.iter().map(|domain| domain.distance_to_outer((*end).into()));
+                length(distances.fold(f64::INFINITY, f64::min), is_projected)
+            };
+            say(&format!(
+                "--open-between: the nearest vertices of the boundary are {} and {} from the points",
+                off(&ends[0]),
+                off(&ends[1])
+            ));
+        }
+        if let Some(text) = self.of_land(&openings, is_projected) {
             say(&text);
         }
-        Ok(Cow::Owned(new))
+        Ok((Cow::Owned(new), openings))
     }
 
     /// A note on stretches that were asked for and are land: all of them, with the options that open them.
-    fn of_land(&self, openings: Vec<Opening>, is_projected: bool) -> Option<String> {
-        let length = |length: f64| match is_projected {
-            true if length >= 1000.0 => format!("{}km", significant(length / 1000.0, 3)),
-            true => format!("{}m", significant(length, 3)),
-            false => significant(length, 4),
-        };
+    fn of_land(&self, openings: &[Opening], is_projected: bool) -> Option<String> {
+        let length = |it: f64| length(it, is_projected);
         let place = |at: DVec2| format!("{},{}", significant(at.x, 7), significant(at.y, 7));
         let stretch = |it: &Opening| {
             let [from, to] = it.ends.map(place);
             format!("{} between {from} {to}", length(it.length))
         };
         let (open, mut land): (Vec<Opening>, Vec<Opening>) =
-            openings.into_iter().partition(|opening| opening.is_open);
+            openings.iter().cloned().partition(|opening| opening.is_open);
         land.sort_by(|a, b| b.length.total_cmp(&a.length));
         let shorter = match self.least_opening {
             Some(least) => format!("shorter than {}", length(least.value)),
@@ -125,6 +136,15 @@ impl BoundaryKinds {
     }
 }
 
+/// A length with its unit, where that is known.
+fn length(length: f64, is_projected: bool) -> String {
+    match is_projected {
+        true if length >= 1000.0 => format!("{}km", significant(length / 1000.0, 3)),
+        true => format!("{}m", significant(length, 3)),
+        false => significant(length, 4),
+    }
+}
+
 /// The depth of the water.
 #[derive(Clone, Debug, Default, Args)]
 #[command(next_help_heading = "Ocean models")]
@@ -139,7 +159,7 @@ pub(crate) struct DepthArguments {
     pub(crate) elevation: Option<PathBuf>,
 
     /// The least depth of a vertex; shallower ones, and dry land, get it
-    #[arg(long, value_name = "METRES", allow_hyphen_values = true)]
+    #[arg(long, value_name = "METRES", value_parser = depth, allow_hyphen_values = true)]
     pub(crate) least_depth: Option<f64>,
 
     /// Sizes by the depth: so many edges on the wave of the M2 tide, 12.42 h, in shallow water
@@ -195,6 +215,13 @@ impl DepthArguments {
             time_step,
         })
     }
+}
+
+/// A depth of water; a negative one would be land.
+fn depth(text: &str) -> Result<f64, String> {
+    let number = text.trim().parse().ok();
+    let number = number.filter(|number: &f64| number.is_finite() && *number >= 0.0);
+    number.ok_or_else(|| "give a depth in metres, 0 or more, such as 2".to_owned())
 }
 
 fn above_0(text: &str) -> Result<f64, String> {

@@ -1,7 +1,7 @@
 //! `mindeg mesh --interior`: a domain with points inside.
 
 use super::features::SEPARATE;
-use crate::args::MeshArguments;
+use crate::args::{DepthArguments, MeshArguments};
 use crate::condition::drawn;
 use crate::demands::met_or_written_anyway;
 use crate::domain::describe::write_texts;
@@ -10,7 +10,7 @@ use crate::failure::Failure;
 use crate::interrupt::SESSION;
 use crate::making::Making;
 use mindeg::interior::{self, AngleLimit, Cause, InteriorError, InteriorMesh};
-use mindeg::{Depths, Domain, Interior, Size, TriMesh};
+use mindeg::{Depths, Domain, Interior, Opening, Projection, Size, TriMesh};
 use mindeg_answers::advice::Purpose;
 use mindeg_answers::condition::ConditionAnswer;
 use mindeg_answers::interior::{
@@ -19,7 +19,8 @@ use mindeg_answers::interior::{
 };
 use mindeg_answers::limit::{Lifting, LimitAnswer};
 use mindeg_answers::names::{region_count, shown};
-use mindeg_answers::numbers::{count, four_digits, triangles};
+use mindeg_answers::numbers::triangles;
+use mindeg_answers::ocean::{DepthsAnswer, OpeningRow};
 use mindeg_answers::sizes::{coarse_sides, sizes};
 use mindeg_files::{Input, PolygonFile};
 use serde::Serialize;
@@ -45,6 +46,36 @@ struct Summary<'a> {
     /// The changes of the boundary, if it was conditioned.
     #[serde(skip_serializing_if = "Option::is_none")]
     conditioned: Option<&'a ConditionAnswer>,
+    #[serde(flatten)]
+    ocean: Ocean,
+}
+
+/// What an ocean model has beside its mesh.
+#[derive(Serialize)]
+struct Ocean {
+    /// The stretches that were asked to be open water.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    openings: Vec<OpeningRow>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    depths: Option<DepthsAnswer>,
+    /// The projection of degrees, as PROJ writes it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    projection: Option<String>,
+}
+
+impl Ocean {
+    fn new(
+        openings: &[Opening],
+        depths: Option<DepthsAnswer>,
+        projection: Option<&Projection>,
+    ) -> Self {
+        let openings = openings.iter().map(OpeningRow::from).collect();
+        Self { openings, depths, projection: projection.map(Projection::to_string) }
+    }
+
+    fn words(&self) -> Option<String> {
+        self.depths.as_ref().map(DepthsAnswer::text)
+    }
 }
 
 /// The regions of polygons that are one map.
@@ -131,46 +162,33 @@ fn by_depth(
 fn with_depths(
     mesh: TriMesh,
     depths: Option<&Depths>,
-    least: Option<f64>,
-) -> Result<(TriMesh, Option<String>), Failure> {
+    arguments: &MeshArguments,
+    projection: Option<&Projection>,
+) -> Result<(TriMesh, Option<DepthsAnswer>), Failure> {
     let Some(depths) = depths else { return Ok((mesh, None)) };
-    let points = || mesh.positions().iter().map(|point| point.truncate());
-    let beyond = points().filter(|point| depths.is_beyond(*point)).count();
-    if beyond == mesh.positions().len() {
-        return Err(Failure::input(
+    let DepthArguments { least_depth, time_step, .. } = &arguments.depth;
+    let found = DepthsAnswer::of(mesh, depths, *least_depth, *time_step, projection);
+    let (mesh, answer) = found.ok_or_else(|| {
+        Failure::input(
             "--depth: no vertex of the mesh lies on the grid of depths; give the grid of this region",
-        ));
-    }
-    let mut raised = 0;
-    let values: Vec<f64> = points()
-        .map(|point| {
-            let depth = depths.at(point);
-            let limited = least.map_or(depth, |least| depth.max(least));
-            raised += usize::from(limited > depth);
-            limited
-        })
-        .collect();
-    let [low, high] = values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], it| {
-        [f64::min(low, *it), f64::max(high, *it)]
-    });
-    let mut words = format!("depths from {} to {} m", four_digits(low), four_digits(high));
-    if raised > 0 {
-        words += &format!("; {} shallower, which got the least depth", count(raised as u64));
-    }
-    if beyond > 0 {
-        words +=
-            &format!("; {} beyond the grid, which got the nearest depth", count(beyond as u64));
-    }
-    Ok((mesh.with_depths(values), Some(words)))
+        )
+    })?;
+    Ok((mesh, Some(answer)))
 }
 
-/// The domains with their boundaries conditioned, if that is wanted, and with their open water; and the changes.
-fn conditioned<'d>(
-    arguments: &MeshArguments,
-    domains: &'d [Domain],
-) -> Result<(Cow<'d, [Domain]>, Option<ConditionAnswer>), Failure> {
+/// What is meshed.
+struct Prepared<'d> {
+    /// The domains with their boundaries conditioned, if that is wanted, and with their open water.
+    domains: Cow<'d, [Domain]>,
+    conditioned: Option<ConditionAnswer>,
+    /// The stretches that were asked to be open water.
+    openings: Vec<Opening>,
+}
+
+fn prepared<'d>(arguments: &MeshArguments, domains: &'d [Domain]) -> Result<Prepared<'d>, Failure> {
     let Some(angle) = arguments.condition else {
-        return Ok((arguments.kinds.told(domains)?, None));
+        let (domains, openings) = arguments.kinds.told(domains)?;
+        return Ok(Prepared { domains, conditioned: None, openings });
     };
     let change = &arguments.change;
     let demands = change.demands(angle, arguments.domain.options.size, None);
@@ -178,8 +196,9 @@ fn conditioned<'d>(
         .map_err(|(_, error)| Failure::input(error))?;
     let answer = ConditionAnswer::of(domains, &new, &conditioned);
     // The coast changes as without open water, so one step gives the mesh of two.
-    let new = arguments.kinds.told(&new)?.into_owned();
-    Ok((Cow::Owned(new), Some(answer)))
+    let (new, openings) = arguments.kinds.told(&new)?;
+    let domains = Cow::Owned(new.into_owned());
+    Ok(Prepared { domains, conditioned: Some(answer), openings })
 }
 
 /// Draws the changes to a file, if that is wanted: once there is a mesh.
@@ -223,15 +242,16 @@ pub(super) fn run(
     mut making: Making,
 ) -> Result<(), Failure> {
     let old = std::slice::from_ref(domain);
-    let (domains, conditioned) = conditioned(arguments, old)?;
+    let Prepared { domains, conditioned, openings } = prepared(arguments, old)?;
     let domain = &domains[0];
     let depths = arguments.depth.read(domain.projection())?;
     let wanted = &by_depth(arguments, depths.as_ref(), wanted, &domains)?;
     making.open()?;
     let meshed = making.work(|progress| interior::mesh(domain, wanted, progress));
     let found = meshed.map_err(|error| refused(domain, wanted, &error))?;
-    let (mesh, depth_words) =
-        with_depths(found.mesh, depths.as_ref(), arguments.depth.least_depth)?;
+    let projection = domain.projection();
+    let (mesh, depths) = with_depths(found.mesh, depths.as_ref(), arguments, projection)?;
+    let ocean = Ocean::new(&openings, depths, projection);
     let found = InteriorMesh { mesh, ..found };
     let InteriorMesh { mesh, report, limit, .. } = &found;
     let lifting = Lifting::from_limit(domain, wanted, limit.clone(), 1).map_err(Failure::input)?;
@@ -252,12 +272,13 @@ pub(super) fn run(
         reversed: domain.was_reversed(),
         map: None,
         conditioned: conditioned.as_ref(),
+        ocean,
     };
     let said = || {
         words_on(conditioned.as_ref(), &name(domain))
             .into_iter()
             .chain([text(&name(domain), &found, &lifting, &summary)])
-            .chain(depth_words)
+            .chain(summary.ocean.words())
             .chain(domain.notes())
             .chain(more_on_request(&found.report, wanted.target_angle))
             .chain(condition_hint(arguments, limit))
@@ -274,7 +295,7 @@ pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Res
     let surface = &arguments.surface;
     let mut making = Making::new(surface, &surface.output, arguments.quiet, arguments.json)?;
     let old = Parts::of(polygons, SEPARATE)?.domains;
-    let (domains, conditioned) = conditioned(arguments, &old)?;
+    let Prepared { domains, conditioned, openings } = prepared(arguments, &old)?;
     let projection = domains.first().and_then(Domain::projection).copied();
     making.unproject(projection.as_ref());
     let depths = arguments.depth.read(projection.as_ref())?;
@@ -282,8 +303,8 @@ pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Res
     making.open()?;
     let meshed = making.work(|progress| interior::mesh_all(&domains, &wanted, progress));
     let mut found = meshed.map_err(|(index, error)| refused(&domains[index], &wanted, &error))?;
-    let (mesh, depth_words) =
-        with_depths(found.mesh, depths.as_ref(), arguments.depth.least_depth)?;
+    let (mesh, depths) = with_depths(found.mesh, depths.as_ref(), arguments, projection.as_ref())?;
+    let ocean = Ocean::new(&openings, depths, projection.as_ref());
     found = InteriorMesh { mesh, ..found };
     let name = polygons.name();
     if let Some(name) = name {
@@ -311,6 +332,7 @@ pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Res
         reversed: false,
         map: Some(MapSummary { regions, parts: domains.len() }),
         conditioned: conditioned.as_ref(),
+        ocean,
     };
     let title = || {
         let parts = if domains.len() == 1 { "part" } else { "parts" };
@@ -321,7 +343,7 @@ pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Res
         words_on(conditioned.as_ref(), &shown(name.unwrap_or("map")))
             .into_iter()
             .chain([text(&title(), &found, &lifting, &summary)])
-            .chain(depth_words)
+            .chain(summary.ocean.words())
             .chain(condition_hint(arguments, limit))
             .collect::<Vec<_>>()
             .join("\n")

@@ -254,7 +254,11 @@ fn lengths_with_units_need_metres() {
             .refuses(&["--size is 2000 degrees", "--project auto"]);
     }
     let bad = mindeg(["condition", &coast(), "--project", "EPSG:2154", "-o", &out]);
-    bad.refuses(&["EPSG:2154 is not among the projections here", "ogr2ogr -t_srs EPSG:2154"]);
+    bad.refuses(&[
+        "EPSG:2154 is not among the projections here",
+        "ogr2ogr -t_srs EPSG:2154",
+        "without a projection",
+    ]);
     let planar =
         b"{\"type\": \"Polygon\", \"coordinates\": [[[4e5, 4e6], [5e5, 4e6], [4e5, 5e6]]]}";
     mindeg_reading(["condition", "-", "--project", "auto"], planar)
@@ -364,6 +368,197 @@ fn depths_that_a_format_leaves_out_are_told() {
             run.errors
         );
     }
+}
+
+#[test]
+fn a_sea_around_a_pole_is_written_in_metres_alone() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let sea = path("sea.json");
+    // A square around the north pole.
+    let square = r#"{"polygon": {"corners": [[-1e5, -1e5], [1e5, -1e5], [1e5, 1e5], [-1e5, 1e5]]}, "size": 4e4,
+        "projection": "+proj=stere +lat_0=90 +lon_0=0 +datum=WGS84"}"#;
+    fs::write(&sea, square).expect("a file");
+    for grid in ["sea.14", "sea.geojson", "sea.nc"] {
+        mindeg(["mesh", &sea, "--interior", "-o", &path(grid)]).refuses(&[
+            grid,
+            "around a pole",
+            "--project none",
+        ]);
+        assert!(!Path::new(&path(grid)).exists());
+    }
+    mindeg(["mesh", &sea, "--interior", "-o", &path("sea.2dm")]).text();
+    let plane = ["mesh", &sea, "--interior", "--project", "none", "-o", &path("sea.14")];
+    mindeg(plane).text();
+    // The mesh is around the pole, and so has triangles on all sides of it.
+    let Fort14 { points, triangles, .. } = fort14(Path::new(&path("sea.14")));
+    for triangle in triangles {
+        let [a, b, c] = triangle.map(|node| points[node]);
+        assert!((b[0] - a[0]) * (c[1] - a[1]) > (b[1] - a[1]) * (c[0] - a[0]));
+    }
+}
+
+#[test]
+fn ugrid_of_a_projected_sea_has_degrees_with_their_units() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let has = |file: &str, words: &str| {
+        let bytes = fs::read(path(file)).expect("a file");
+        bytes.windows(words.len()).any(|part| part == words.as_bytes())
+    };
+    let sea = ["mesh", "-", "--interior", "--project"];
+    let [degrees, plane] = [path("degrees.nc"), path("plane.nc")];
+    let run =
+        mindeg_reading([&sea[..], &["auto", "--size", "8km", "-o", &degrees]].concat(), WATER);
+    assert!(run.errors.contains("UGRID NetCDF has degrees"), "{}", run.errors);
+    for words in ["degrees_east", "degrees_north", "standard_name", "latitude of the nodes"] {
+        assert!(has("degrees.nc", words), "{words}");
+    }
+    let corner = 24.5_f64.to_be_bytes();
+    let bytes = fs::read(&degrees).expect("a file");
+    assert!(bytes.windows(8).any(|part| part == corner));
+    mindeg_reading([&sea[..], &["none", "-o", &plane]].concat(), WATER).text();
+    assert!(!has("plane.nc", "degrees_east") && has("plane.nc", "x of the nodes"));
+}
+
+#[test]
+fn depths_tell_the_time_step_that_the_edges_allow() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    // A square of edges of about 1000 m, 10 m deep.
+    let grid = |name: &str, depth: f64, size: u32| {
+        let row = format!("{depth} {depth}\n");
+        let head = format!("ncols 2\nnrows 2\nxllcenter 0\nyllcenter 0\ncellsize {size}\n");
+        fs::write(path(name), head + &row + &row).expect("a file");
+    };
+    grid("even.asc", 10.0, 4000);
+    let sea = ["mesh", "--rectangle", "4000x4000", "--size", "1000", "--interior", "--depth"];
+    let mesh =
+        |more: &[&str]| mindeg([&sea[..], more, &["-o", &path("sea.14"), "--json"]].concat());
+    let step = ["--wavelength", "30", "--time-step", "20"];
+    let run = mesh(&[&[path("even.asc").as_str()][..], &step].concat());
+    let courant = &run.json()["depths"]["courant"];
+    let Fort14 { points, triangles, .. } = fort14(Path::new(&path("sea.14")));
+    let sides = triangles.iter().flat_map(|t| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]]);
+    let length = |[a, b]: [usize; 2]| {
+        let [a, b] = [points[a], points[b]];
+        (a[0] - b[0]).hypot(a[1] - b[1])
+    };
+    let shortest = sides.map(length).fold(f64::INFINITY, f64::min);
+    let number = |key: &str| courant[key].as_f64().expect("a number");
+    let speed = (9.81_f64 * 10.0).sqrt();
+    assert!((number("greatest") - 20.0 * speed / shortest).abs() < 1e-6);
+    assert!((number("allowed_time_step") - 0.5 * shortest / speed).abs() < 1e-6);
+    assert!(run.errors.contains("a time step of 20.00 s has Courant numbers of"), "{}", run.errors);
+    let run = mesh(&[&path("even.asc")]);
+    assert!(run.errors.contains("a Courant number of 0.5 allows a time step of"), "{}", run.errors);
+    assert!(!run.errors.contains("warning"), "{}", run.errors);
+
+    // Heights for depths, and a grid of a part.
+    grid("heights.asc", -10.0, 4000);
+    let run = mesh(&[&path("heights.asc")]);
+    assert!(run.errors.contains("no vertex has water: give heights, positive up, by --elevation"));
+    assert_eq!(run.json()["depths"]["courant"], Value::Null);
+    grid("half.asc", 10.0, 1000);
+    let run = mesh(&[&path("half.asc")]);
+    assert!(run.errors.contains("lie beyond the grid of depths"), "{}", run.errors);
+    mesh(&[&path("even.asc"), "--least-depth", "-5"]).refuses(&["0 or more"]);
+}
+
+#[test]
+fn open_water_is_told_with_its_distances_and_in_json() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let out = path("sea.14");
+    let gr3 = path("sea.gr3");
+    let sea = ["mesh", "-", "--interior", "--project", "auto", "--size", "4km", "-o", &out];
+    let run = |more: &[&str]| mindeg_reading([&sea[..], more].concat(), WATER);
+    let near = run(&["--open-between", "24.01,37", "24.49,37", "--json", "-o", &gr3]);
+    // The nearest vertices are the corners, a hundredth of a degree away.
+    let told = "the nearest vertices of the boundary are 891m and 890m from the points";
+    assert!(near.errors.contains(told), "{}", near.errors);
+    let have = "ADCIRC fort.14 or SCHISM hgrid.gr3 has degrees of longitude";
+    assert!(near.errors.contains(have), "{}", near.errors);
+    let answer = near.json();
+    assert_eq!(answer["projection"], "+proj=utm +zone=35 +datum=WGS84");
+    let openings = answer["openings"].as_array().expect("a list");
+    assert!(openings.len() == 1 && openings.iter().all(|it| it["is_open"] == true), "{answer}");
+    run(&["--open-between", "20,37", "24.5,37"]).refuses(&[
+        "(20, 37) is",
+        " m from the nearest vertex",
+        "x (longitude) first",
+    ]);
+    run(&["--open-between", "500000,4100000", "24.5,37"])
+        .refuses(&["is no longitude and latitude"]);
+    run(&["--open", "nowhere"])
+        .refuses(&["no side is called \"nowhere\"; there are north, rock, south"]);
+}
+
+#[test]
+fn names_of_sides_are_told_in_order_and_counted() {
+    let corners: Vec<String> = (0..24)
+        .map(|corner| {
+            let angle = f64::from(corner) * std::f64::consts::TAU / 24.0;
+            format!("[{}, {}]", angle.cos(), angle.sin())
+        })
+        .collect();
+    let sides: Vec<&str> =
+        (0..24)
+            .map(|side| {
+                if side == 20 {
+                    r#"{"name": "quay", "intervals": 1}"#
+                } else {
+                    r#"{"intervals": 1}"#
+                }
+            })
+            .collect();
+    let domain = format!(
+        r#"{{"polygon": {{"corners": [{}]}}, "sides": [{}]}}"#,
+        corners.join(", "),
+        sides.join(", ")
+    );
+    let names =
+        "quay, side 1, side 2, side 3, side 4, side 5, side 6, side 7, side 8, side 9 and 14 more";
+    mindeg_reading(["condition", "-", "--keep", "nix"], domain.as_bytes())
+        .refuses(&["there is no side \"nix\" to keep", names]);
+    mindeg_reading(["condition", "-", "--open", "nix"], domain.as_bytes())
+        .refuses(&["no side is called \"nix\"", names]);
+}
+
+#[test]
+fn a_grid_in_degrees_is_judged_in_metres() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("north.14").display().to_string();
+    // On the ground these are right-angled halves of a square of 1.1 km, in degrees twice as wide as high.
+    let grid = "north\n2 4\n1 20 60 5\n2 20.02 60 5\n3 20.02 60.01 5\n4 20 60.01 5\n1 3 1 2 3\n2 3 1 3 4\n0\n0\n0\n0\n";
+    fs::write(&path, grid).expect("a file");
+    let run = mindeg(["inspect", &path, "--preset", "sms"]);
+    assert_eq!(run.code, Some(0), "{}", run.errors);
+    assert!(
+        run.errors.contains("--preset judges them in metres, by UTM zone 34"),
+        "{}",
+        run.errors
+    );
+    let wide = grid.replace("60", "0");
+    fs::write(&path, wide.replace("20.02", "20.12")).expect("a file");
+    assert_eq!(mindeg(["inspect", &path, "--preset", "sms"]).code, Some(3));
+}
+
+#[test]
+fn projections_far_from_their_region_are_told() {
+    let far = ["condition", "-", "--project", "EPSG:32640"];
+    let run = mindeg_reading(far, WATER);
+    assert!(run.errors.contains("that is far from its middle: --project auto"), "{}", run.errors);
+    let near = mindeg_reading(["condition", "-", "--project", "EPSG:32635"], WATER);
+    assert!(!near.errors.contains("far from its middle"), "{}", near.errors);
+    for (code, words) in [("4326", "is degrees of longitude"), ("99999", "is no code")] {
+        let epsg = format!("EPSG:{code}");
+        mindeg_reading(["condition", "-", "--project", &epsg], WATER).refuses(&[words]);
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let prj = folder.path().join("coast.prj").display().to_string();
+    fs::write(&prj, "GEOGCS[]").expect("a file");
+    mindeg(["condition", &prj]).refuses(&["a part of a shapefile"]);
 }
 
 /// Two seas with land between them.

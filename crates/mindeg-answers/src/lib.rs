@@ -33,6 +33,7 @@ pub mod mesh;
 pub mod model;
 pub mod names;
 pub mod numbers;
+pub mod ocean;
 pub mod preset;
 pub mod proof;
 pub mod proven;

@@ -48,6 +48,9 @@ const NOTHING: PresetRules = PresetRules {
     one_open_side: false,
 };
 
+/// So many further triangles that break a rule are named.
+const MOST_NAMED: usize = 8;
+
 /// All presets.
 //
 // The comments say where each rule stands, looked up in November 2026. Rules that no source gives are not here: none of these programs states a
@@ -210,8 +213,18 @@ impl PresetRules {
         }
         let corners = |index: usize| triangles[index].map(|v| mesh.positions()[v as usize]);
         let mut first = |is_bad: &dyn Fn(usize) -> bool, what: String| {
-            let index = (0..triangles.len()).find(|&index| is_bad(index));
-            broken.extend(index.map(|index| format!("triangle {index} {what}")));
+            let bad: Vec<usize> = (0..triangles.len()).filter(|&index| is_bad(index)).collect();
+            let Some((first, more)) = bad.split_first() else { return };
+            let named: Vec<String> = more.iter().take(MOST_NAMED).map(usize::to_string).collect();
+            let rest = match more.len().saturating_sub(MOST_NAMED) {
+                0 => String::new(),
+                rest => format!(" and {rest} more"),
+            };
+            broken.push(match more.len() {
+                0 => format!("triangle {first} {what}"),
+                1 => format!("triangle {first} {what}; so does triangle {}", named[0]),
+                _ => format!("triangle {first} {what}; so do triangles {}{rest}", named.join(", ")),
+            });
         };
         if let Some(most) = self.most_skewness {
             first(

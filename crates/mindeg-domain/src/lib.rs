@@ -78,7 +78,7 @@ pub use mindeg_mesh::planar::InRing;
 pub use model::{
     FaceGroup, FromMesh, Model, ModelEdge, ModelFace, ModelParts, ModelPlace, PLANAR_SHARE, Plane,
 };
-pub use open_water::OpenWater;
+pub use open_water::{OpenWater, first_names};
 pub use opening::Opening;
 pub use outline::{Outline, Ring};
 pub use periodic::{Periodic, PeriodicSide};

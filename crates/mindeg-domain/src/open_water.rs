@@ -1,7 +1,7 @@
 //! The open water, the land and the islands of a coastal model, as kinds of sides.
 
 use glam::DVec2;
-use mindeg_mesh::{LineKind, listed};
+use mindeg_mesh::{LineKind, significant};
 
 use crate::build::DomainBuilder;
 use crate::domain::Domain;
@@ -24,6 +24,8 @@ pub enum OpenWater {
 
 /// The names of the sides of projected outlines that lie on the box around all degrees.
 const BOX_SIDES: [&str; 4] = ["south", "east", "north", "west"];
+/// An end of open water is no farther from the boundary than this share of the size of all domains.
+const FAR: f64 = 0.1;
 /// An edge is on the box if it is no farther than this share of the box's size from it.
 const NEAR: f64 = 1e-9;
 
@@ -89,6 +91,8 @@ impl Domain {
         for part in parts {
             let nearest = match part {
                 OpenWater::Between(ends) => {
+                    let size = (all[1] - all[0]).length();
+                    ends.iter().try_for_each(|end| Self::check_end(domains, *end, size))?;
                     let distances = domains.iter().map(|domain| domain.distance_of(ends));
                     distances.enumerate().min_by(|a, b| a.1.total_cmp(&b.1)).map(|it| it.0)
                 }
@@ -192,6 +196,38 @@ impl Domain {
         outer.iter().map(distance).enumerate().min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
+    /// How far the nearest vertex of the outer boundary is from a point, which is in degrees if the domain was projected.
+    #[must_use]
+    pub fn distance_to_outer(&self, point: DVec2) -> f64 {
+        let outer: Vec<u32> = self.rings().rings().next().into_iter().flatten().collect();
+        self.nearest(&outer, point).map_or(f64::INFINITY, |it| libm::sqrt(it.1))
+    }
+
+    /// Refuses an end of open water that is no place of a domain, or far from all.
+    fn check_end(domains: &[Self], end: DVec2, size: f64) -> Result<(), DomainError> {
+        let wrong = |problem: String| Err(Place::default().error(problem));
+        let is_projected = domains.iter().any(|domain| domain.projection.is_some());
+        if is_projected && (end.x.abs() > 360.0 || end.y.abs() > 90.0) {
+            return wrong(format!(
+                "({}, {}) is no longitude and latitude, and the domain was drawn in degrees: give those",
+                end.x, end.y
+            ));
+        }
+        let distances = domains.iter().map(|domain| domain.distance_to_outer(end));
+        let distance = distances.fold(f64::INFINITY, f64::min);
+        if distance > size * FAR {
+            let unit = if is_projected { " m" } else { "" };
+            return wrong(format!(
+                "({}, {}) is {}{unit} from the nearest vertex of the boundary, more than a tenth of all of it: give points on the \
+                 boundary, x (longitude) first",
+                end.x,
+                end.y,
+                significant(distance, 4)
+            ));
+        }
+        Ok(())
+    }
+
     /// How far the boundary is from two points together, squared.
     fn distance_of(&self, ends: &[DVec2; 2]) -> f64 {
         let outer: Vec<u32> = self.rings().rings().next().into_iter().flatten().collect();
@@ -261,11 +297,32 @@ fn nowhere(part: &OpenWater, domains: &[Domain]) -> DomainError {
                 (0..domain.rings().side_count()).map(|side| domain.side_name(side)).collect()
             };
             let mut names: Vec<String> = domains.iter().flat_map(of).collect();
+            names.sort_unstable();
             names.dedup();
-            format!("no side is called {name:?}; there are {}", listed(names, 10, ", "))
+            format!("no side is called {name:?}; there are {}", first_names(&names))
         }
     };
     Place::default().error(message)
+}
+
+/// The first of sorted names, and how many more there are. Names that say something come before those that only count sides.
+#[must_use]
+pub fn first_names(names: &[String]) -> String {
+    const MOST: usize = 10;
+    let number = |name: &str| name.rsplit(' ').next().and_then(|word| word.parse::<u32>().ok());
+    let mut names: Vec<&String> = names.iter().collect();
+    names.sort_by_key(|name| {
+        let own = number(name);
+        let start =
+            own.map_or(name.as_str(), |_| name.trim_end_matches(|c: char| c.is_ascii_digit()));
+        (own.is_some(), start, own)
+    });
+    let first: Vec<&str> = names.iter().take(MOST).map(|name| name.as_str()).collect();
+    let first = first.join(", ");
+    match names.len().saturating_sub(MOST) {
+        0 => first,
+        more => format!("{first} and {more} more"),
+    }
 }
 
 /// Turns a ring so that it begins where its kind changes: no stretch is in two parts.

@@ -273,9 +273,14 @@ fn of_epsg(code: &str) -> Result<Projection, String> {
         3413 => polar(90.0, -45.0, 70.0),
         3995 => polar(90.0, 0.0, 71.0),
         3031 => polar(-90.0, 0.0, -71.0),
+        4326 | 4258 | 4269 | 4979 => Err(format!(
+            "EPSG:{number} is degrees of longitude and latitude, no plane; give the projection that makes metres of them"
+        )),
+        ..1024 | 32768.. => Err(format!("EPSG:{number} is no code: they are from 1024 to 32767")),
         _ => Err(format!(
             "EPSG:{number} is not among the projections here: UTM (EPSG:32601 to 32660, 32701 to 32760, 25828 to 25838), \
-             EPSG:3035, 3413, 3995 and 3031; project the file before, such as by ogr2ogr -t_srs EPSG:{number} OUT.geojson IN"
+             EPSG:3035, 3413, 3995 and 3031; where there is such a code, ogr2ogr -t_srs EPSG:{number} OUT.geojson IN makes a file in metres, to be \
+             given without a projection"
         )),
     }
 }

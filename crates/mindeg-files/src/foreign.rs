@@ -8,6 +8,11 @@ const FOREIGN: &[(&[&str], &str, &str)] = &[
         "`ogr2ogr outline.geojson FILE` writes its polygons as GeoJSON",
     ),
     (
+        &["prj", "cpg", "qpj"],
+        "a part of a shapefile, without its polygons",
+        "`ogr2ogr outline.geojson FILE` writes those as GeoJSON, given the .shp beside it",
+    ),
+    (
         &["nc"],
         "a file in NetCDF",
         "only grids for depths and sizes are read of it, in the classic format, which `nccopy -k classic FILE grid.nc` writes",

@@ -229,6 +229,10 @@ impl PolygonFile {
     pub fn only(&self) -> Result<Domain, FileError> {
         match &self.polygons[..] {
             [polygon] => self.domain(polygon).map_err(|error| error.of(&self.file)),
+            [] => Err(FileError::wrong(format!(
+                "{} has no polygon with an area; draw it in another program to see what is wrong",
+                self.file
+            ))),
             polygons => match self.maps().map(|found| found.0).as_deref() {
                 Ok([map]) => Ok(map.clone()),
                 _ => Err(FileError::wrong(format!(

@@ -8,7 +8,7 @@ use crate::session::Session;
 use glam::DVec3;
 use mindeg_domain::Projection;
 use mindeg_formats::{Format, WriteError, WriteOptions, Writer, extensions};
-use mindeg_mesh::{Mesh, Positions, Progress, Written, listed};
+use mindeg_mesh::{Mesh, Positions, Progress, Written, filled, listed};
 use mindeg_outlines::OutlineFormat;
 use std::fs;
 use std::io::{ErrorKind, Write};
@@ -25,6 +25,25 @@ const MOST_NAMES: usize = 5;
 pub fn in_degrees(projection: &Projection, point: DVec3) -> DVec3 {
     let degrees = projection.to_degrees(point.truncate()) * DECIMALS;
     (degrees.map(libm::round) / DECIMALS).extend(point.z)
+}
+
+/// Whether a triangle has its corners on more than half of all longitudes: it has a pole inside, or lies where longitudes
+/// begin. O(n) time for n triangles.
+fn is_folded(mesh: &dyn Mesh, projection: &Projection) -> bool {
+    const BLOCK: u32 = 1 << 12;
+    let places =
+        filled(0..mesh.vertex_count(), DVec3::ZERO, |first, out| mesh.fill_positions(first, out));
+    let longitude = |place: &DVec3| projection.to_degrees(place.truncate()).x;
+    let longitudes: Vec<f64> = places.iter().map(longitude).collect();
+    let count = mesh.triangle_count();
+    (0..count).step_by(BLOCK as usize).any(|first| {
+        let block = first..first.saturating_add(BLOCK).min(count);
+        let triangles = filled(block, [0; 3], |first, out| mesh.fill_triangles(first, out));
+        triangles.iter().any(|corners| {
+            let [a, b, c] = corners.map(|corner| longitudes[corner as usize]);
+            a.max(b).max(c) - a.min(b).min(c) > 180.0
+        })
+    })
 }
 
 /// All outputs of one mesh.
@@ -124,12 +143,15 @@ impl<'a> Targets<'a> {
         self.recipe = Some(recipe.to_string());
     }
 
-    /// The plane of the mesh is a projection of degrees: formats in degrees get these. Gives their names.
+    /// The plane of the mesh is a projection of degrees: formats in degrees get these. Gives their names, each once.
     pub fn unproject(&mut self, projection: Option<Projection>) -> Vec<&'static str> {
         self.projection = projection;
         let formats = self.targets.iter().map(|target| target.format);
         let in_degrees = formats.filter(|format| projection.is_some() && format.in_degrees());
-        in_degrees.map(Format::description).collect()
+        let mut names: Vec<&str> = in_degrees.map(Format::description).collect();
+        names.sort_unstable();
+        names.dedup();
+        names
     }
 
     /// Whether one of them goes where this process prints.
@@ -216,6 +238,14 @@ impl<'a> Targets<'a> {
         let (mut taken, mut left_out) = (Ok(()), Vec::new());
         for target in self.targets {
             let projection = self.projection.filter(|_| target.format.in_degrees());
+            if projection.is_some_and(|it| is_folded(mesh_for(target.format), &it)) {
+                return Err(FileError::wrong(format!(
+                    "{}: degrees fold a mesh around a pole, where longitudes meet; write metres: to a format that has the \
+                     plane, such as 2DM or SELAFIN, or keep the domain in JSON and mesh that with {} none",
+                    target.path.display(),
+                    self.session.option("project")
+                )));
+            }
             let degrees = projection.map(|projection| move |point| in_degrees(&projection, point));
             let mesh = Written {
                 mesh: mesh_for(target.format),

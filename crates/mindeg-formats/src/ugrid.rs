@@ -4,8 +4,9 @@
 //! with the number of its name (`boundary_id`), groups the numbers of the faces (`face_region`); `flag_meanings`
 //! has the names, with underscores for blanks. Depths are positive downwards.
 //!
-//! Limits: for meshes in the plane; the file does not say whether its coordinates are lengths or degrees. It is not
-//! read.
+//! Coordinates that are known to be degrees have their names and units by CF.
+//!
+//! Limits: for meshes in the plane. It is not read.
 
 use mindeg_mesh::{Mesh, filled};
 
@@ -27,6 +28,7 @@ pub(crate) const FACTS: Facts = Facts {
     extensions: &["nc"],
     leaves_out_depths: false,
     has_boundary: true,
+    in_degrees: true,
     begins: |bytes| matches!(bytes, [b'C', b'D', b'F', 1 | 2 | 5, ..]),
     max_vertices: MAX_BYTES / 8,
     in_plane: true,
@@ -89,15 +91,22 @@ fn variables(mesh: &dyn Mesh, edges: u32) -> Vec<Variable<'_>> {
     }
     let indices =
         |role: &str| vec![("cf_role", text(role)), ("start_index", Value::Whole(vec![0]))];
-    let coordinate = |name, axis: usize, long_name: &str| {
+    let coordinate = |name, axis: usize, long_name: &str, [degrees, units]: [&str; 2]| {
         let values = move |range| positions(mesh, range).map(move |point| [point[axis]]);
-        let attributes = vec![("long_name", text(long_name))];
+        let attributes = match mesh.is_in_degrees() {
+            true => vec![
+                ("standard_name", text(degrees)),
+                ("long_name", Value::Text(format!("{degrees} of the nodes"))),
+                ("units", text(units)),
+            ],
+            false => vec![("long_name", text(long_name))],
+        };
         Variable::floats(name, &[NODE], attributes, BIG.records(0..vertices, values))
     };
     let mut all = vec![
         Variable::whole("mesh2d", &[], topology, BIG.repeated(1, [0_i32])),
-        coordinate("node_x", 0, "x of the nodes"),
-        coordinate("node_y", 1, "y of the nodes"),
+        coordinate("node_x", 0, "x of the nodes", ["longitude", "degrees_east"]),
+        coordinate("node_y", 1, "y of the nodes", ["latitude", "degrees_north"]),
         Variable::whole("face_nodes", &[FACE, THREE], indices("face_node_connectivity"), {
             BIG.records(0..count, |range| triangles(mesh, range).into_iter())
         }),

@@ -28,6 +28,11 @@ pub trait Positions: Sync {
     /// The smallest box around all vertices.
     fn bounds(&self) -> Bounds<DVec3>;
 
+    /// Whether x and y are known to be degrees of longitude and latitude.
+    fn is_in_degrees(&self) -> bool {
+        false
+    }
+
     /// Fills `out` with the water depths at the vertices from `first` on: 0 unless the mesh is a
     /// coastal model with depths.
     ///

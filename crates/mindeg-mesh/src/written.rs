@@ -11,7 +11,7 @@ use crate::mesh::{Group, Line, LineKind, Mesh, NamedVertex, PeriodicLine, Positi
 const BLOCK: u32 = 1 << 12;
 
 /// A mesh as a file gets it: it may say how it was [made](Triangles::made_by), and its vertices may be told in
-/// other coordinates. All else is the mesh's own.
+/// degrees. All else is the mesh's own.
 ///
 /// # Example
 ///
@@ -19,10 +19,11 @@ const BLOCK: u32 = 1 << 12;
 /// use glam::DVec3;
 /// use mindeg_mesh::{Mesh, Positions, Triangles, Written};
 ///
-/// fn in_millimetres(mesh: &dyn Mesh) -> f64 {
-///     let scaled = |point: DVec3| point * 1000.0;
-///     let written = Written { mesh, made_by: Some("mindeg mesh part.json"), place: Some(&scaled) };
-///     assert_eq!(written.made_by(), Some("mindeg mesh part.json"));
+/// fn degrees_across(mesh: &dyn Mesh) -> f64 {
+///     let degrees = |point: DVec3| point / 60.0;
+///     let written = Written { mesh, made_by: Some("mindeg mesh sea.json"), place: Some(&degrees) };
+///     assert_eq!(written.made_by(), Some("mindeg mesh sea.json"));
+///     assert!(written.is_in_degrees());
 ///     written.bounds().size().x
 /// }
 /// ```
@@ -32,7 +33,7 @@ pub struct Written<'a> {
     pub mesh: &'a dyn Mesh,
     /// How it was made, where that is not what the mesh says itself.
     pub made_by: Option<&'a str>,
-    /// The place of a vertex that the mesh has at a point, where it is another. Bounds take O(n) with it.
+    /// The longitude and latitude in degrees of a vertex that the mesh has at a point of a plane. Bounds take O(n) with it.
     pub place: Option<&'a (dyn Fn(DVec3) -> DVec3 + Sync)>,
 }
 
@@ -61,6 +62,10 @@ impl Positions for Written<'_> {
             Bounds::of_space(points.iter().copied())
         });
         blocks.reduce(Bounds::union).unwrap_or_else(|| self.mesh.bounds())
+    }
+
+    fn is_in_degrees(&self) -> bool {
+        self.place.is_some() || self.mesh.is_in_degrees()
     }
 
     fn fill_depths(&self, first: u32, out: &mut [f64]) {

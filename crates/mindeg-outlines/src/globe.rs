@@ -16,6 +16,8 @@ use crate::error::OutlineError;
 
 /// An edge gets a point in its middle where that is farther than this share of its length from the line in the plane.
 const MOST_BENT: f64 = 1e-4;
+/// A given projection that changes lengths by more than this share is told to be a bad one here.
+const MOST_OFF: f64 = 0.02;
 /// Coordinates nearer to each other, in degrees, are one.
 const NEAR: f64 = 1e-9;
 
@@ -143,6 +145,11 @@ impl Outlines {
             "projected degrees by {} ({projection}): lengths in the plane are {least:.4} to {most:.4} of those on the ground",
             projection.name()
         );
+        if let ProjectionChoice::Given(_) = choice
+            && (least < 1.0 - MOST_OFF || most > 1.0 + MOST_OFF)
+        {
+            note += "; that is far from its middle: --project auto finds one for this region";
+        }
         if added > 0 {
             note += &format!("; put {} on edges that bend", counted(added, "point"));
         }
@@ -229,6 +236,37 @@ impl BoxSides {
     }
 }
 
+fn is_pole(point: DVec2) -> bool {
+    point.y.abs() > 90.0 - NEAR
+}
+
+/// A ring without the poles that end a seam: in degrees a pole is an edge, and a seam leaves it by the meridian by which it came.
+/// Of others one point stays.
+fn without_seams(pieces: &[Piece]) -> Vec<Piece> {
+    let Some(first) = pieces.iter().position(|piece| !is_pole(piece.start)) else {
+        return Vec::new();
+    };
+    let mut kept: Vec<Piece> = Vec::with_capacity(pieces.len());
+    let around = pieces.iter().cycle().skip(first).take(pieces.len() + 1);
+    let mut pole: Option<&Piece> = None;
+    for (index, piece) in around.enumerate() {
+        if is_pole(piece.start) {
+            pole = Some(piece);
+            continue;
+        }
+        let is_seam = |before: &Piece| turned(piece.start.x - before.start.x).abs() < NEAR;
+        if let (Some(pole), Some(before)) = (pole.take(), kept.last())
+            && !is_seam(before)
+        {
+            kept.push(pole.clone());
+        }
+        if index < pieces.len() {
+            kept.push(piece.clone());
+        }
+    }
+    kept
+}
+
 struct Projecting {
     projection: Projection,
     sides: BoxSides,
@@ -238,14 +276,30 @@ struct Projecting {
 
 impl Projecting {
     fn ring(&mut self, ring: &DrawnRing) -> Result<DrawnRing, OutlineError> {
-        // In degrees a pole is an edge, which is a point of the globe and ends a seam.
-        let is_pole = |point: DVec2| point.y.abs() > 90.0 - NEAR;
-        let pieces: Vec<Piece> =
-            ring.pieces.iter().filter(|piece| !is_pole(piece.start)).cloned().collect();
+        let pieces = without_seams(&ring.pieces);
+        if let Some(Piece { start, .. }) = pieces.first()
+            && pieces.iter().all(|piece| turned(piece.start.x - start.x).abs() < NEAR)
+        {
+            return Err(OutlineError::place(
+                "",
+                format!(
+                    "a ring has no points off the meridian of {}°, and edges go the short way around the globe: put points on \
+                 those that go all around, or choose a part",
+                    start.x
+                ),
+            ));
+        }
         let mut projected: Vec<Piece> = Vec::with_capacity(pieces.len());
         for (index, piece) in pieces.iter().enumerate() {
             let mut ends = [piece.start, pieces[(index + 1) % pieces.len()].start];
             ends.iter_mut().for_each(|end| end.x = turned(end.x));
+            // All meridians meet at a pole: an edge there follows its own.
+            let longitudes = ends.map(|end| end.x);
+            for (end, other) in ends.iter_mut().zip([longitudes[1], longitudes[0]]) {
+                if is_pole(*end) {
+                    end.x = other;
+                }
+            }
             let of_box =
                 self.sides.name(ends).filter(|_| piece.side.is_none() && ends[0] != ends[1]);
             self.named += usize::from(of_box.is_some());
@@ -264,6 +318,7 @@ impl Projecting {
                 projected.pop();
             }
             projected.push(Piece { start, side: side.clone(), ..piece.clone() });
+            // The short way round.
             // The short way round.
             ends[1].x = ends[0].x + turned(ends[1].x - ends[0].x);
             let mut points = Vec::new();
@@ -359,6 +414,13 @@ mod tests {
         let (cap, projection) = projected(cap, "laea").unwrap();
         assert!(projection.unwrap().to_string().starts_with("+proj=laea +lat_0=90"));
         assert!((area(&cap) / 15.4e6 - 1.0).abs() < 0.01, "{}", area(&cap));
+        // A part of it with its corner at the pole, and a box around the globe without points on its way.
+        let (part, _) = projected("[[[0, 80], [30, 80], [30, 90], [0, 90]]]", "laea").unwrap();
+        let whole =
+            2.0 * std::f64::consts::PI * 6371.0_f64.powi(2) * (1.0 - 80_f64.to_radians().sin());
+        assert!((area(&part) / (whole / 12.0) - 1.0).abs() < 0.02, "{} {whole}", area(&part));
+        let box_ = projected("[[[-180, -80], [180, -80], [180, 80], [-180, 80]]]", "auto");
+        assert!(box_.unwrap_err().contains("put points on"));
         let whole = "[[[-180, -80], [-60, -80], [60, -80], [60, 80], [-60, 80], [-180, 80]]]";
         assert!(projected(whole, "auto").unwrap_err().contains("choose a part"));
         assert!(

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use glam::DVec2;
 use mindeg_condition::{BoundaryDemands, Conditioned, Hold, Point, condition_map};
-use mindeg_domain::{Domain, Inside, Outline, Ring, Side};
+use mindeg_domain::{Domain, Inside, Outline, Ring, Side, first_names};
 use mindeg_mesh::LineKind;
 use mindeg_mesh::planar::PlanarBoundary;
 
@@ -218,14 +218,11 @@ impl<'a> Pieces<'a> {
         let lines = self.domain.line_sides();
         let lines = lines.map(|(line, side, _)| self.domain.line_name(line, side));
         let mut known: Vec<String> = sides.chain(lines).collect();
+        known.sort_unstable();
         known.dedup();
         let Some(wrong) = names.iter().find(|name| !known.contains(name)) else { return Ok(()) };
-        let more = if known.len() > 10 { ", …" } else { "" };
-        known.truncate(10);
-        Err(format!(
-            "there is no side {wrong:?} to keep; the domain has {}{more}",
-            known.join(", ")
-        ))
+        let known = first_names(&known);
+        Err(format!("there is no side {wrong:?} to keep; the domain has {known}"))
     }
 
     /// The domain with the new rings and lines.
