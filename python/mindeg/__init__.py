@@ -34,7 +34,18 @@ from ._mindeg import (
     stitch,
     verify,
 )
+from ._options import shows_its_types
 from ._progress import progress
+
+bridge = shows_its_types(bridge)
+bridge_loops = shows_its_types(bridge_loops)
+fill = shows_its_types(fill)
+fill_loop = shows_its_types(fill_loop)
+inspect = shows_its_types(inspect)
+read = shows_its_types(read)
+remesh = shows_its_types(remesh)
+stitch = shows_its_types(stitch)
+verify = shows_its_types(verify)
 
 #: The goals of ``Domain.mesh``: for each a dict with its key, what its value is, and what it asks for.
 GOALS = _goals()

@@ -116,12 +116,13 @@ class Domain(_mindeg._Domain):
 
         The keys ``"solver"``, ``"patch"`` and ``"fewest"`` have ``max_degree``, ``min_angle`` and ``share_of_delaunay`` of a mesh,
         ``words``, which say why to take it, and ``options``: ``domain.mesh(**domain.advice()["patch"]["options"])`` makes it.
-        ``first`` is the key to take unless you know better; a mesh that cannot be made is None. Takes the time of three meshes.
+        ``first`` is the key to take unless you know better; a mesh that cannot be made is None, and ``no_solver`` says why no points
+        can be inside. Takes the time of three meshes.
         """
-        found = self._advice()
-        words = dict(found.pop("words"))
-        return {"first": found.pop("first")} | {
-            purpose: figures and {**figures, "words": words[purpose], "options": dict(_OPTIONS_FOR[purpose])} for purpose, figures in found.items()
+        found, options = self._advice()
+        words = dict(found["words"])
+        return {"first": found["first"], "no_solver": found["no_solver"]} | {
+            purpose: found[purpose] and {**found[purpose], "words": words[purpose], "options": options[purpose]} for purpose in options
         }
 
     def compare(self) -> dict[str, Any]:
@@ -130,14 +131,6 @@ class Domain(_mindeg._Domain):
 
     def _repr_svg_(self):
         return self.mesh()._repr_svg_()
-
-
-#: What `Domain.mesh` takes to make the mesh for a purpose, whatever the domain itself asks for.
-_OPTIONS_FOR: dict[str, dict[str, Any]] = {
-    "solver": {"interior": True},
-    "patch": {"interior": False, "keep_angle": 0.95},
-    "fewest": {"interior": False},
-}
 
 
 @shows_its_options()
@@ -228,11 +221,13 @@ def _json_of(source, options) -> tuple[str, list[tuple[str, str]] | None]:
     if text is not None:
         return _outline(None, text, **options), []
     rings = _rings(source)
+    called = next(iter(rings), "").split("[")[0]
     if not rings:
         raise ValueError("the polygon is empty; give at least three points")
     outer, *holes = [_ring(ring, key) for key, ring in rings.items()]
     if options:
-        return _outline(None, json.dumps({"type": "Polygon", "coordinates": [outer, *holes]}), **options), []
+        text = json.dumps({"type": "Polygon", "coordinates": [outer, *holes]})
+        return _outline(None, text, **options, called=called), []
     paths = ["ring", *(f"holes[{index}].ring" for index in range(len(holes)))]
     domain: dict[str, Any] = {"ring": outer, "holes": [{"ring": hole} for hole in holes]}
     return json.dumps(domain if holes else {"ring": outer}), list(zip(paths, rings))
@@ -247,6 +242,10 @@ def path_or_text(source) -> tuple[str | os.PathLike[str] | None, str | None]:
     geometry = _geometry(source)
     if geometry is None or geometry.get("type") == "Polygon":
         return None, None
+    parts = geometry.get("features", geometry.get("geometries", geometry.get("coordinates", [None])))
+    if len(parts) == 0:
+        kind = "dict" if isinstance(source, Mapping) else type(source).__name__
+        raise ValueError(f"the {kind} is empty; give at least one polygon")
     return None, json.dumps(geometry, default=plain)
 
 
@@ -295,6 +294,7 @@ def _ring(points, key):
 
 #: How the polygons of a source are read, where nothing else is asked for.
 _READING = {
+    "called": "the outline",
     "layer": None,
     "name_by": None,
     "corner_angle": 30.0,

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import ast
+import functools
 import inspect
 import json
+import os
 from typing import TYPE_CHECKING, Any, Literal, TypedDict, TypeVar
 
 from ._plain import plain
 
 if TYPE_CHECKING:
-    import os
     from collections.abc import Callable, Mapping, Sequence
 
     import numpy.typing as npt
@@ -87,6 +89,29 @@ def shows_its_options(*options: type) -> Callable[[_Function], _Function]:
         return function
 
     return shown
+
+
+with open(os.path.join(os.path.dirname(__file__), "_mindeg.pyi"), encoding="utf-8") as _stub:
+    #: The functions of the stub of the module in Rust, by name.
+    _STUBS = {node.name: node for node in ast.parse(_stub.read()).body if isinstance(node, ast.FunctionDef)}
+
+
+def shows_its_types(function: _Function) -> _Function:
+    """The same function with the types of its stub in the signature that help() shows: a function in Rust has none."""
+    stub = _STUBS[function.__name__]
+    written = [*stub.args.args, *stub.args.kwonlyargs]
+    types = {argument.arg: ast.unparse(argument.annotation) for argument in written if argument.annotation}
+    signature = inspect.signature(function)
+    parameters = [parameter.replace(annotation=_Shown(types[name])) for name, parameter in signature.parameters.items()]
+    gives = _Shown(ast.unparse(stub.returns) if stub.returns else "None")
+
+    @functools.wraps(function)
+    def called(*args: Any, **options: Any) -> Any:
+        return function(*args, **options)
+
+    called.__module__ = "mindeg"
+    setattr(called, "__signature__", signature.replace(parameters=parameters, return_annotation=gives))
+    return called  # type: ignore[return-value]
 
 
 def separated(options: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, Any], dict[str, Any]]:

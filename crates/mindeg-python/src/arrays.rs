@@ -4,6 +4,7 @@ use std::ops::RangeInclusive;
 
 use mindeg::glam::DVec3;
 use numpy::{Element, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyList, PyTuple};
 
@@ -124,7 +125,10 @@ fn numeric<'py>(
     if hides_some {
         return Err(wrong("masked values"));
     }
-    let array = numpy.call_method1("asarray", (given,))?;
+    let array = numpy.call_method1("asarray", (given,)).map_err(|error| {
+        let is_ragged = error.is_instance_of::<PyValueError>(given.py());
+        if is_ragged { wrong("rows of different lengths") } else { error }
+    })?;
     let kind: String = array.getattr("dtype")?.getattr("kind")?.extract()?;
     if !kinds.contains(&*kind) {
         return Err(wrong(&format!("the type {}", array.getattr("dtype")?)));

@@ -10,11 +10,13 @@ use mindeg::changes::count_changes;
 use mindeg::glam::DVec3;
 use mindeg::interior::{BoundaryDemands, condition};
 use mindeg::{Domain as Inner, DomainJsonError, Positions, exact};
-use mindeg_answers::advice::{Advice, AdviceAnswer};
+use mindeg_answers::advice::{Advice, AdviceAnswer, Purpose};
 use mindeg_answers::condition::ConditionAnswer;
 use mindeg_mesh::filled;
 use numpy::PyArray2;
 use pyo3::prelude::*;
+use serde_json::{Map, Value};
+use std::collections::BTreeMap;
 
 /// A polygon with its boundary points.
 #[pyclass(module = "mindeg", frozen, subclass, name = "_Domain")]
@@ -123,10 +125,11 @@ impl Domain {
         trade_off.meshes().iter().map(point).collect()
     }
 
-    /// The mesh to take for each purpose; the package adds how to make it.
+    /// The mesh to take for each purpose, and the keywords of `Domain.mesh` that make it.
     fn _advice<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let advice = done(py, |progress| Advice::of(&self.inner, progress))?;
-        dict(py, &AdviceAnswer::of(advice))
+        let options = Purpose::ALL.map(|purpose| (purpose.name(), keywords(purpose)));
+        dict(py, &(AdviceAnswer::of(advice), BTreeMap::from(options)))
     }
 
     /// The smallest changes of interval counts that are found, one for each lower least maximum degree.
@@ -181,6 +184,18 @@ impl Domain {
             self.inner.sides().len(),
         )
     }
+}
+
+/// The keywords of `Domain.mesh` for a purpose, whatever the domain itself asks for.
+fn keywords(purpose: Purpose) -> Map<String, Value> {
+    let mut keywords = Map::new();
+    keywords.insert("interior".to_owned(), purpose.goal().is_none().into());
+    if let Some((kind, value)) = purpose.goal().map(|goal| goal.kind_and_value())
+        && !value.is_empty()
+    {
+        keywords.insert(kind.key.to_owned(), value.into());
+    }
+    keywords
 }
 
 /// A fault in the words of the arguments of which the text was made.

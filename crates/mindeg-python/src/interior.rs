@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use mindeg::{InnerPoint, Interior};
+use mindeg::{DomainError, InnerPoint, Interior};
 use mindeg_files::{Input, Session};
 use pyo3::prelude::*;
 use serde_json::{Map, Value};
@@ -36,5 +36,20 @@ pub(crate) fn wanted(given: &str, base: &Interior) -> PyResult<(Interior, Vec<In
     }
     let read = Interior::from_json(&wanted.to_string());
     let wanted = read.map_err(|error| value_error(format!("{}: {}", error.path, error.message)))?;
+    wanted.check().map_err(|DomainError { place, message, .. }| {
+        let (place, key) = (place.to_string(), message.split(' ').next());
+        value_error(if key == Some(&*place) { message } else { format!("{place}: {message}") })
+    })?;
     Ok((wanted, points))
+}
+
+/// A fault of the points inside a domain, of which those from the `first` on were given as `fixed_points`.
+pub(crate) fn fault_of_points(error: &DomainError, first: usize) -> PyErr {
+    let place = error.place.to_string();
+    let index = place.strip_prefix("points[").and_then(|rest| rest.split(']').next());
+    let index = index.and_then(|index| index.parse::<usize>().ok()?.checked_sub(first));
+    match index {
+        Some(index) => value_error(format!("fixed_points[{index}]: {}", error.message)),
+        None => value_error(error),
+    }
 }

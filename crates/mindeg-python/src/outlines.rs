@@ -29,6 +29,8 @@ use crate::work::{done, value_error};
 pub(crate) struct Given {
     path: Option<PathBuf>,
     text: Option<String>,
+    /// The name of a text in messages.
+    called: String,
     layer: Option<String>,
     name_by: Option<String>,
     corner_angle: f64,
@@ -44,9 +46,7 @@ impl Given {
     fn input(&self) -> Input<'_> {
         match &self.path {
             Some(path) => Input::File(path),
-            None => {
-                Input::Bytes("the outline", self.text.as_deref().unwrap_or_default().as_bytes())
-            }
+            None => Input::Bytes(&self.called, self.text.as_deref().unwrap_or_default().as_bytes()),
         }
     }
 

@@ -10,7 +10,7 @@ use mindeg_answers::mesh::found_by;
 use mindeg_answers::sizes::too_coarse;
 use pyo3::exceptions::PyUserWarning;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyString};
 use serde_json::{Map, Value};
 
 use crate::demands::demands;
@@ -94,8 +94,11 @@ impl Wish<'_> {
         let mut domain = Cow::Borrowed(domain);
         if !points.is_empty() {
             let mut inside = domain.inside().clone();
+            let first = inside.points.len();
             inside.points.extend(points);
-            domain = Cow::Owned(domain.with_inside(inside).map_err(value_error)?);
+            let given = domain.with_inside(inside);
+            let given = given.map_err(|error| interior::fault_of_points(&error, first))?;
+            domain = Cow::Owned(given);
         }
         let found = done(py, |progress| mindeg::interior::mesh(&domain, &wanted, progress))?;
         if let Some((problem, least)) = too_coarse(&found) {
@@ -128,6 +131,9 @@ fn read_goal(given: &Bound<'_, PyDict>) -> PyResult<Goal> {
             return Err(value_error(format!(
                 "{other} and {key} exclude each other; give one of them"
             )));
+        }
+        if kind.key == "max_degree" && value.is_instance_of::<PyString>() {
+            return Err(value_error(format!("{key} is the text {value}; give a whole number")));
         }
         let goal = kind.read(&value.str()?.to_string_lossy());
         let goal = goal.map_err(|problem| value_error(format!("{key}: {problem}")))?;
