@@ -150,7 +150,23 @@ fn a_mesh_of_polygons_that_were_repaired_together_is_verified() {
     let verified = mindeg(["verify", text(&mesh), text(&file), "--repair", "--json"]).json();
     assert_eq!(verified["valid"], true, "{verified}");
     mindeg(["verify", text(&mesh), text(&file), "--json"]).refuses(&["--repair mends such places"]);
-    // Of the boundary points alone, too.
+}
+
+/// The same of the boundary points alone.
+#[test]
+fn polygons_that_overlap_are_repaired_together_without_points_inside() {
+    let folder = tempdir().expect("a folder");
+    let at = |name: &str| folder.path().join(name);
+    let (file, mesh) = (at("two.geojson"), at("two.obj"));
+    let square = |name: &str, [x, end]: [f64; 2]| {
+        format!(
+            r#"{{"type": "Feature", "properties": {{"name": "{name}"}}, "geometry": {{"type": "Polygon",
+                "coordinates": [[[{x}, 0], [{end}, 0], [{end}, 5], [{x}, 5], [{x}, 0]]]}}}}"#
+        )
+    };
+    let squares = [square("a", [0.0, 5.02]), square("b", [5.0, 10.0])].join(",");
+    let collection = format!(r#"{{"type": "FeatureCollection", "features": [{squares}]}}"#);
+    fs::write(&file, collection).expect("a file");
     let refused = mindeg(["mesh", text(&file), "-o", text(&mesh)]);
     refused.refuses(&["--repair mends such places"]);
     mindeg(["mesh", text(&file), "--repair", "-q", "-o", text(&mesh)]).text();

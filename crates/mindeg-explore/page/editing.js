@@ -3,7 +3,7 @@
 
 import { apply, ask } from "./asking.js";
 import { showInterior } from "./choices.js";
-import { addCorner, addHole, addSize, corners, isKnown, moveCorner, removeCorner, removeHole, sidePlace } from "./domain.js";
+import { addCorner, addHole, addSize, corners, dividedBy, isKnown, moveCorner, removeCorner, removeHole, sidePlace } from "./domain.js";
 import { cornerAt, gridStep, sideAt, snapped } from "./editor.js";
 import { listInside } from "./inside.js";
 import { redraw, setCursor, stages } from "./pictures.js";
@@ -129,6 +129,39 @@ function add() {
   Object.assign(selection, { corner: added.corner, side: null });
   apply(added.domain);
   say("A corner is added; arrows move it.");
+}
+
+/** Divides all sides by the length that is given. */
+function divide() {
+  const size = element("edge-size").valueAsNumber;
+  if (!(size > 0)) return tellOfEdges("Give the length of edges first.");
+  const divided = dividedBy(state.domain, size);
+  if (!divided) return tellOfEdges("This boundary is a list of points, which stay as they are; “Change the boundary” gives edges of that length.");
+  letGo();
+  apply(divided);
+  tellOfEdges(`All sides have edges of about ${size}, as --size ${size} makes them.`);
+}
+
+/** Says what became of the edges, with the command that does the same. */
+function tellOfEdges(words, command = null) {
+  element("condition-words").textContent = words;
+  element("condition-command").hidden = !command;
+  element("condition-command").firstElementChild.textContent = command ?? "";
+}
+
+/** Changes the boundary so that a mesh with points inside can have the angle. */
+async function conditionIt() {
+  const before = state.domain;
+  tellOfEdges("Working …");
+  try {
+    const { domain, words, command } = await server.condition(before, element("condition-angle").valueAsNumber || 25, element("edge-size").valueAsNumber);
+    if (state.domain !== before) return tellOfEdges("");
+    letGo();
+    apply(domain);
+    tellOfEdges(words, command);
+  } catch (error) {
+    tellOfEdges(error.message);
+  }
 }
 
 function remove() {
@@ -288,6 +321,8 @@ export function startEditing() {
   element("previous").addEventListener("click", () => chooseNext(-1));
   element("next").addEventListener("click", () => chooseNext(1));
   element("add").addEventListener("click", add);
+  element("divide").addEventListener("click", divide);
+  element("condition").addEventListener("click", conditionIt);
   element("remove").addEventListener("click", remove);
   for (const [kind, { button }] of Object.entries(PLACED)) {
     element(button).addEventListener("click", () => {

@@ -273,7 +273,7 @@ async function start() {
     worker.postMessage({ kind: "stage", id: stage.id, canvas }, [canvas]);
     stages.push(stage);
   }
-  const { domain: _, ...choices } = kept ?? {};
+  const { domain: _, solid: __, ...choices } = kept ?? {};
   Object.assign(state, choices);
   offerPurposes(showViews);
 
@@ -293,7 +293,7 @@ async function start() {
   startEditing();
   startControls();
   startFiles();
-  startSolid(hand);
+  startSolid(hand, () => begin(state.domain, shown.sourceNotes));
   offerCopy();
   offerFiles(facts.formats);
   readLooks();
@@ -304,7 +304,7 @@ async function start() {
   new ResizeObserver(() => resize(false)).observe(element("meshes"));
   showGoal();
   showViews();
-  const isSolid = source.is_solid && !kept;
+  const isSolid = source.is_solid && (!kept || kept.solid === source.name);
   const first = source.domain ? source : presets[0];
   begin(kept?.domain ?? first.domain, kept ? [] : first.notes);
   if (facts.purpose && !kept) choosePurpose(facts.purpose);

@@ -41,7 +41,7 @@ function field(key, index, name, thing, title) {
   const input = make("input");
   if (name === "hole") Object.assign(input, { type: "checkbox", checked: Boolean(thing.hole) });
   else if (name === "size") Object.assign(input, { type: "number", min: 0, step: "any", value: thing.size ?? "", placeholder: "size", className: "count" });
-  else Object.assign(input, { type: "text", value: thing.name ?? "", placeholder: (key === "lines" && shown.domain?.lines[index]?.name) || "name" });
+  else Object.assign(input, { type: "text", value: thing.name ?? "", placeholder: (key === "lines" && shown.domain?.lines[index]?.name) || (key === "regions" && `region ${index + 1}`) || "name" });
   input.setAttribute("aria-label", `${name} of ${title}`);
   input.addEventListener("change", () => {
     const value = name === "hole" ? input.checked || undefined : name === "size" ? input.valueAsNumber || undefined : input.value.trim() || undefined;

@@ -40,6 +40,12 @@ export async function startFile(name) {
   return new File([await (await ask("/api/start/file")).blob()], name);
 }
 
+/** The boundary changed so that a mesh can have an angle, with edges of a length if `size` is one. */
+export async function condition(domain, angle, size) {
+  const query = new URLSearchParams({ angle, ...(size > 0 ? { size } : {}) });
+  return (await ask(`/api/condition?${query}`, { method: "POST", body: JSON.stringify({ domain }) })).json();
+}
+
 /** One file of a mesh, as a blob. */
 export async function download(request, format, view, file) {
   const path = `/api/download?format=${encodeURIComponent(format)}&view=${view}&file=${file}`;

@@ -1,8 +1,10 @@
 // A surface in space: it is turned, meshed anew, filled or bridged, with before and after side by side.
 // From the scripts of the viewer: SpaceStage, angleText, make, pageColors, unpack, showDegreeLegend.
 
+import { keep } from "./asking.js";
 import * as server from "./server.js";
 import { element, several, showTrouble } from "./show.js";
+import { state } from "./state.js";
 
 /** The measure that colors triangles. */
 const MEASURE = { name: "min_angle", title: "Minimum angle", unit: "degrees", higher_is_better: true, logarithmic: false, range: [0, 60], goes_beyond: [false, false] };
@@ -13,6 +15,8 @@ let shownNow = [];
 /** Takes a file with a surface, and shows it in place of the boundary. */
 export async function beginSolid(dropped) {
   file = dropped;
+  state.solid = file.name;
+  keep();
   document.body.classList.add("solid");
   element("solid").hidden = false;
   element("title").textContent = file.name;
@@ -25,6 +29,7 @@ export async function beginSolid(dropped) {
 /** Goes back to boundaries. */
 export function endSolid() {
   file = null;
+  state.solid = null;
   document.body.classList.remove("solid");
   element("solid").hidden = true;
   element("solid-meshes").replaceChildren();
@@ -140,10 +145,13 @@ function listLoops(loops, vertices) {
   element("solid-bridge").disabled = loops.length < 2;
 }
 
-/** Makes the buttons work; `hand(blob, name)` gives a file to the browser. */
-export function startSolid(hand) {
+/** Makes the buttons work; `hand(blob, name)` gives a file to the browser, `onEnd` goes on with the boundary. */
+export function startSolid(hand, onEnd) {
   for (const change of ["remesh", "fill", "bridge"]) element(`solid-${change}`).addEventListener("click", () => show(change));
-  element("solid-end").addEventListener("click", () => location.reload());
+  element("solid-end").addEventListener("click", () => {
+    endSolid();
+    onEnd();
+  });
   element("solid-download").addEventListener("click", async () => {
     try {
       const { blob, name } = await server.solidFile(file, made.change, element("solid-format").value, made.more);

@@ -15,6 +15,8 @@ export const state = {
   format: "obj",
   /** Whether pictures are stretched to fill their places; null for what suits the domain. */
   stretch: null,
+  /** The name of the file of the surface that is shown in place of a domain, or null. */
+  solid: null,
 };
 
 /**

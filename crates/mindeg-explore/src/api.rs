@@ -13,6 +13,7 @@
 //! | `GET /api/facts` | | [`Facts`]: measures and formats by name, limits |
 //! | `POST /api/answer?tab=ID` | [`Request`] | [`AnswerLine`]s, one JSON object a line, each as soon as it is known |
 //! | `POST /api/read?name=FILE` | a file's bytes | a list of [`Source`]: its polygons, or its one domain |
+//! | `POST /api/condition?angle=25` | [`Request`] | the domain with a boundary that allows the angle, `words` and `command`; also `size` |
 //! | `POST /api/solid?name=FILE&change=CHANGE` | a file's bytes | the surface in it, after `nothing`, `remesh`, `fill` or `bridge`; also `size`, `loops`, `interior` |
 //! | `POST /api/solid/file?name=FILE&change=CHANGE&format=NAME` | a file's bytes | the bytes of a file of it |
 //! | `POST /api/download?format=NAME&view=VIEW&file=0` | [`Request`] | the bytes of a file of the mesh |

@@ -29,7 +29,23 @@ impl KnownFiles {
     /// The words for the file that holds a domain.
     fn with(&self, domain: &str) -> Option<&[String]> {
         let domain: Value = serde_json::from_str(domain).ok()?;
-        self.0.iter().find(|(_, known)| *known == domain).map(|(words, _)| &words[..])
+        self.0.iter().find(|(_, known)| is_same(known, &domain)).map(|(words, _)| &words[..])
+    }
+}
+
+/// Whether two values are the same as the page has them: its numbers are no longer 1.0 where they are whole.
+fn is_same(one: &Value, other: &Value) -> bool {
+    match (one, other) {
+        (Value::Number(one), Value::Number(other)) => one.as_f64() == other.as_f64(),
+        (Value::Array(one), Value::Array(other)) => {
+            one.len() == other.len()
+                && one.iter().zip(other).all(|(one, other)| is_same(one, other))
+        }
+        (Value::Object(one), Value::Object(other)) => {
+            let is_there = |(key, one)| other.get(key).is_some_and(|other| is_same(one, other));
+            one.len() == other.len() && one.iter().all(is_there)
+        }
+        (one, other) => one == other,
     }
 }
 
@@ -48,31 +64,36 @@ pub(crate) fn file_stem(domain: &Domain, view: View, goal: Goal) -> String {
 
 /// The command that writes the mesh of a view, ready for a POSIX shell.
 pub(crate) fn command(request: &Request, domain: &Domain, known: &KnownFiles) -> String {
-    let file = known.with(request.domain.get());
-    let input: Vec<String> = match file {
-        Some(words) => words.iter().map(|word| shell_word(word)).collect(),
-        None => vec!["-".to_owned()],
-    };
-    let stem = file_stem(domain, request.view, request.goal);
-    let mut words = vec!["mindeg".to_owned()];
+    let text = request.domain.get();
     if request.view == View::Delaunay {
         let stem = domain_stem(domain);
-        let folder = format!("{stem}-compared");
-        words.push("compare".to_owned());
-        words.extend(input);
-        words.extend(["-o".to_owned(), format!("{stem}.html")]);
-        words.extend(["--save-meshes".to_owned(), folder]);
-    } else {
-        let format = request.format().unwrap_or(Format::Obj);
-        words.push("mesh".to_owned());
-        words.extend(input);
-        words.extend(options(request, domain));
-        words.extend(["-o".to_owned(), format!("{stem}.{}", format.extension())]);
+        let (page, folder) = (format!("{stem}.html"), format!("{stem}-compared"));
+        let words = ["-o", &page, "--save-meshes", &folder].map(str::to_owned);
+        return with_domain("compare", text, known, &words);
     }
-    let command = words.join(" ");
+    let format = request.format().unwrap_or(Format::Obj);
+    let stem = file_stem(domain, request.view, request.goal);
+    let mut words = options(request, domain);
+    words.extend(["-o".to_owned(), format!("{stem}.{}", format.extension())]);
+    with_domain("mesh", text, known, &words)
+}
+
+/// A command on a domain in JSON: it names the file, where one is known that no option reads twice, or holds the domain.
+pub(crate) fn with_domain(
+    command: &str,
+    domain: &str,
+    known: &KnownFiles,
+    options: &[String],
+) -> String {
+    let is_twice = |word: &String| word.starts_with("--") && options.contains(word);
+    let file = known.with(domain).filter(|words| !words.iter().any(is_twice));
+    let standard_input = ["-".to_owned()];
+    let input = file.unwrap_or(&standard_input).iter().map(|word| shell_word(word));
+    let words = ["mindeg".to_owned(), command.to_owned()].into_iter();
+    let line = words.chain(input).chain(options.iter().cloned()).collect::<Vec<_>>().join(" ");
     match file {
-        Some(_) => command,
-        None => format!("{command} <<'{END}'\n{}\n{END}", request.domain.get().trim()),
+        Some(_) => line,
+        None => format!("{line} <<'{END}'\n{}\n{END}", domain.trim()),
     }
 }
 
@@ -117,6 +138,19 @@ mod tests {
             command(body, &known),
             "mindeg mesh 'my plate.json' --size 1 --keep-angle 95% -o a-b-c-keep-angle-95.14"
         );
+    }
+
+    /// JavaScript writes 4.0 as 4.
+    #[test]
+    fn a_known_file_is_found_by_the_numbers_that_the_page_sends() {
+        let mut known = KnownFiles::default();
+        let domain = |ring: &str| format!(r#"{{"name": "a", "holes": [{{"ring": {ring}}}]}}"#);
+        known.add(&["a.csv".to_owned()], &domain("[[4.0, 0.5], [1e2, -0.0]]"));
+        assert!(known.with(&domain("[[4, 0.5], [100, 0]]")).is_some());
+        for other in ["[[4, 0.5], [100, 1]]", "[[4, 0.5]]", "[[4, 0.5], [100, \"0\"]]"] {
+            assert_eq!(known.with(&domain(other)), None, "{other}");
+        }
+        assert_eq!(known.with(r#"{"name": "a"}"#), None);
     }
 
     /// `mindeg mesh` writes no mesh that misses a demand, but the page shows one.

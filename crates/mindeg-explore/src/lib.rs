@@ -23,6 +23,7 @@ mod arrays;
 mod body;
 mod changes;
 mod command;
+mod conditioned;
 mod download;
 mod facts;
 mod files;

@@ -23,6 +23,7 @@ use crate::answer::{self, answer};
 use crate::api::{AnswerLine, Source, View};
 use crate::body::{Lines, MAX_BYTES, body};
 use crate::command::KnownFiles;
+use crate::conditioned;
 use crate::download::{Download, download};
 use crate::facts::facts;
 use crate::files::{self, File};
@@ -75,6 +76,7 @@ pub(crate) fn router(all: Arc<All>) -> Router {
         .route("/api/facts", get(async move || json(&facts(MAX_BYTES, purpose))))
         .route("/api/answer", post(answers))
         .route("/api/read", post(reading))
+        .route("/api/condition", post(conditions))
         .route("/api/solid", post(solids))
         .route("/api/solid/file", post(solid_files))
         .route("/api/download", post(downloads))
@@ -254,6 +256,20 @@ async fn downloads(
     let file =
         worked(&all, move |progress| download(&bytes, view, &format, file, progress)).await?;
     Ok(attached(file))
+}
+
+/// A changed boundary.
+async fn conditions(
+    State(all): State<Arc<All>>,
+    query: Asked<conditioned::Asked>,
+    request: Request,
+) -> Result<Response, Refusal> {
+    let wanted = asked(query)?;
+    let bytes = body(request).await?;
+    let known = Arc::clone(&all);
+    let shown =
+        worked(&all, move |_| conditioned::conditioned(wanted, &bytes, &known.known)).await?;
+    Ok(json(&shown))
 }
 
 /// A surface in space.

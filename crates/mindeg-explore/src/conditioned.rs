@@ -1,0 +1,94 @@
+//! The boundary of the page, changed by as little as it takes for a mesh with points inside to reach an angle.
+
+use mindeg::interior::{BoundaryDemands, condition};
+use mindeg_answers::command::domain_stem;
+use mindeg_answers::condition::ConditionAnswer;
+use serde::{Deserialize, Serialize};
+use serde_json::value::RawValue;
+
+use crate::answer::understood;
+use crate::api::AnswerLine;
+use crate::command::{KnownFiles, with_domain};
+use crate::terms::without_options;
+
+/// The wishes for a boundary.
+#[derive(Clone, Copy, Debug, Deserialize)]
+pub(crate) struct Asked {
+    /// The minimum angle that it shall allow, in degrees.
+    angle: f64,
+    /// The length of its edges; as it is, if not given.
+    size: Option<f64>,
+}
+
+/// A changed boundary.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct ConditionedShown {
+    domain: Box<RawValue>,
+    /// The changes, in sentences.
+    words: String,
+    /// The command that makes the same domain.
+    command: String,
+}
+
+/// The domain of a request with the boundary that is wished for.
+///
+/// # Errors
+///
+/// Why there is none, in a sentence.
+pub(crate) fn conditioned(
+    asked: Asked,
+    body: &[u8],
+    known: &KnownFiles,
+) -> Result<ConditionedShown, String> {
+    let (request, domain) = understood(body).map_err(|line| match *line {
+        AnswerLine::Refused { message, .. } => message,
+        _ => String::new(),
+    })?;
+    let Asked { angle, size } = asked;
+    let base = size.map_or_else(BoundaryDemands::default, BoundaryDemands::of_size);
+    let demands = BoundaryDemands { angle, ..base };
+    let (changed, found) = condition(&domain, &demands, &[]).map_err(|error| error.to_string())?;
+    let json = RawValue::from_string(changed.to_json()).map_err(|error| error.to_string())?;
+    let file = format!("{}-conditioned.json", domain_stem(&domain));
+    let mut options = vec!["--limit".to_owned(), angle.to_string()];
+    options.extend(size.iter().flat_map(|size| ["--size".to_owned(), size.to_string()]));
+    options.extend(["-o".to_owned(), file]);
+    let command = with_domain("condition", request.domain.get(), known, &options);
+    let name = domain.name().unwrap_or("the boundary").to_owned();
+    let answer = ConditionAnswer::of(&[domain], &[changed], &[found]);
+    Ok(ConditionedShown { domain: json, words: without_options(&answer.text(&name)), command })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two edges half a unit from each other, ten units long.
+    const STRAIT: &str =
+        r#"{"domain": {"name": "strait", "ring": [[0, 0], [10, 0], [10, 0.5], [0, 0.5]]}}"#;
+
+    #[test]
+    fn a_boundary_is_changed_and_the_command_does_the_same() {
+        let asked = Asked { angle: 25.0, size: None };
+        let found = conditioned(asked, STRAIT.as_bytes(), &KnownFiles::default()).unwrap();
+        let domain = mindeg::Domain::from_json(found.domain.get()).unwrap();
+        assert!(domain.rings().vertex_count() > 4, "{}", found.words);
+        assert!(found.words.starts_with("strait: 4 boundary points become "), "{}", found.words);
+        assert!(!found.words.contains(" --"), "{}", found.words);
+        let line = "mindeg condition - --limit 25 -o strait-conditioned.json <<'END'\n{";
+        assert!(found.command.starts_with(line), "{}", found.command);
+        // Edges of a length are divided by it.
+        let asked = Asked { size: Some(0.1), ..asked };
+        let found = conditioned(asked, STRAIT.as_bytes(), &KnownFiles::default()).unwrap();
+        let finer = mindeg::Domain::from_json(found.domain.get()).unwrap();
+        assert!(found.command.contains(" --limit 25 --size 0.1 -o "), "{}", found.command);
+        assert!(finer.rings().vertex_count() > 150, "{}", found.words);
+    }
+
+    #[test]
+    fn what_cannot_be_is_refused_in_words() {
+        let asked = Asked { angle: 60.0, size: None };
+        let refused = conditioned(asked, STRAIT.as_bytes(), &KnownFiles::default()).unwrap_err();
+        assert!(refused.contains("above 0 and at most 40"), "{refused}");
+    }
+}
