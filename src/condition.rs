@@ -36,8 +36,8 @@ pub(crate) fn run(arguments: &ConditionArguments) -> Result<(), Failure> {
         (Some(path), [new]) => Some((new.to_json(), path.as_path())),
         (Some(_), several) => {
             return Err(Failure::Input(format!(
-                "-o is for one domain, and there are {} that share no edge: choose one with --feature, or mesh all by \
-                 mindeg mesh --interior --condition",
+                "-o is for one domain in JSON, and this map has {} parts that share no edge, such as islands: --changes has all \
+                 new boundaries, mindeg mesh --interior --condition meshes them, and --feature chooses polygons",
                 several.len()
             )));
         }

@@ -233,7 +233,7 @@ fn islands_of_a_map_are_conditioned_together() {
     assert!(text.starts_with("states: 646 boundary points become"), "{text}");
     let out = folder.path().join("states-domain.json").display().to_string();
     let several = mindeg([&["condition"], &states[..], &["-o", &out]].concat());
-    several.refuses(&["8 that share no edge", "mesh --interior --condition"]);
+    several.refuses(&["8 parts that share no edge", "mesh --interior --condition"]);
     // A pond behind a cape keeps the cape, which would else be cut off, and the pond be in the sea.
     let land = |name: &str, ring: &str| {
         format!(

@@ -111,6 +111,17 @@ fn a_coast_in_degrees_becomes_a_grid_with_open_water_islands_and_depths() {
     let features = changes["features"].as_array().expect("a list");
     assert_eq!(features.len(), 2 + answer["changes"].as_array().expect("a list").len());
     assert_eq!(features[0]["properties"]["boundary"], "before");
+    // Each says how far the coast moved there, on which ring, and why.
+    let rows = answer["changes"].as_array().expect("a list");
+    let moved = |row: &Value| row["moved"].as_f64().unwrap_or_else(|| panic!("{row}"));
+    let farthest = rows.iter().map(moved).fold(0.0, f64::max);
+    assert!((farthest - answer["moved"].as_f64().expect("metres")).abs() < 1e-6, "{farthest}");
+    assert!(rows.iter().all(|row| row["ring"].as_u64().is_some_and(|ring| ring < 12)));
+    let on_island = rows.iter().find(|row| row["ring"] != 0).expect("an island that changed");
+    assert!(on_island["side"].as_str().is_some_and(|side| side.starts_with("hole")), "{on_island}");
+    let for_size = "edges there were too short or too long for the size";
+    assert!(rows.iter().any(|row| row["kind"] == "dropped" && row["reason"] == for_size));
+    assert_eq!(features[2]["properties"]["moved"], rows[0]["moved"]);
     for feature in &features[2..] {
         let [x, y] =
             [0, 1].map(|axis| feature["geometry"]["coordinates"][axis].as_f64().expect("a number"));

@@ -3,7 +3,9 @@
 use crate::numbers::{count, four_digits, steady_angle};
 use mindeg::Domain;
 use mindeg::glam::DVec2;
-use mindeg::interior::{ChangeKind, Conditioned, Narrow, NarrowReason, Reason};
+use mindeg::interior::{
+    BoundaryChange, ChangeKind, Conditioned, Narrow, NarrowReason, Reason, Why,
+};
 use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -75,6 +77,14 @@ pub struct ChangeRow {
     /// The same in degrees of longitude and latitude, if the domain was projected.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub degrees: Option<[f64; 2]>,
+    /// The ring of the old boundary, from 0, the outer one, on; null on a line inside, and where something was narrow.
+    pub ring: Option<usize>,
+    /// The side of that ring; null where the ring is.
+    pub side: Option<String>,
+    /// How far the boundary moved there; null where something narrow was closed or cut off, or a hole dropped.
+    pub moved: Option<f64>,
+    /// Why.
+    pub reason: &'static str,
 }
 
 /// A place that stays below the demanded angle.
@@ -112,14 +122,17 @@ impl ConditionAnswer {
     /// The figures of conditioned domains: those before, those after, and what was done to each.
     #[must_use]
     pub fn of(before: &[Domain], after: &[Domain], conditioned: &[Conditioned]) -> Self {
-        let changes = || conditioned.iter().flat_map(|one| &one.changes);
+        let changes = || {
+            let of_each = before.iter().zip(conditioned);
+            of_each.flat_map(|(domain, one)| one.changes.iter().map(move |it| (domain, it)))
+        };
         let left_over = || conditioned.iter().flat_map(|one| &one.left);
-        let count = |kind| changes().filter(|change| change.kind == kind).count();
+        let count = |kind| changes().filter(|change| change.1.kind == kind).count();
         let least = |limit: fn(&Conditioned) -> f64| {
             conditioned.iter().map(limit).fold(f64::INFINITY, f64::min)
         };
         let degrees = |at: DVec2| degrees(before.first()?, at);
-        let change = |change: &mindeg::interior::BoundaryChange| {
+        let change = |(domain, change): (&Domain, &BoundaryChange)| {
             let kind = match change.kind {
                 ChangeKind::Dropped => "dropped",
                 ChangeKind::Inserted => "inserted",
@@ -131,7 +144,19 @@ impl ConditionAnswer {
                 ChangeKind::BasinDropped => "basin_dropped",
                 ChangeKind::SpitCut => "spit_cut",
             };
-            ChangeRow { kind, at: change.at.to_array(), degrees: degrees(change.at) }
+            let at = change.at.to_array();
+            let rings = domain.rings();
+            let side = change.edge.filter(|edge| *edge < rings.vertex_count());
+            let side = side.map(|edge| rings.side_of(edge));
+            ChangeRow {
+                kind,
+                at,
+                degrees: degrees(change.at),
+                ring: side.map(|side| rings.in_ring(side).ring),
+                side: side.map(|side| domain.side_name(side)),
+                moved: change.moved,
+                reason: why_changed(change.why),
+            }
         };
         let left = |left: &mindeg::interior::Left| {
             let reason = match left.reason {
@@ -285,7 +310,17 @@ impl ConditionAnswer {
             json!({"type": "Feature", "properties": properties, "geometry": geometry})
         };
         let changes = (1..).zip(&self.changes).map(|(number, row): (u32, _)| {
-            point(row.degrees.unwrap_or(row.at), json!({"kind": row.kind, "number": number}))
+            point(
+                row.degrees.unwrap_or(row.at),
+                json!({
+                    "kind": row.kind,
+                    "number": number,
+                    "ring": row.ring,
+                    "side": row.side,
+                    "moved": row.moved,
+                    "reason": row.reason,
+                }),
+            )
         });
         let left = self.left.iter().map(|row| {
             let properties =
@@ -318,6 +353,19 @@ fn list(text: &mut String, rows: &[&LeftRow]) {
     }
     if rows.len() > MOST_LEFT {
         let _ = writeln!(text, "  and {} more; --json lists all", rows.len() - MOST_LEFT);
+    }
+}
+
+/// Why a boundary changed at a place.
+fn why_changed(why: Why) -> &'static str {
+    match why {
+        Why::Size => "edges there were too short or too long for the size",
+        Why::Limit => "the limit of the angle at a vertex there was too small",
+        Why::Strait => "edges that face each other were long beside their distance",
+        Why::Growth => "an edge was long beside others near it",
+        Why::Narrow => "an inlet or strait one edge wide",
+        Why::Width => "narrower than the least width",
+        Why::Area => "smaller than the least area",
     }
 }
 

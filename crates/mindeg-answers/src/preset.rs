@@ -422,6 +422,22 @@ mod tests {
     }
 
     #[test]
+    fn further_triangles_are_named_and_counted() {
+        let wheels = |count: u32| {
+            let corner = |i: u32, third: f64| DVec3::new(f64::from(i) + third / 2.0, third, 0.0);
+            let points = (0..count)
+                .flat_map(|i| [corner(3 * i, 0.0), corner(3 * i + 1, 0.0), corner(3 * i, 1.0)]);
+            let triangles = (0..count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]);
+            let mesh = TriMesh::new(points.collect(), triangles.collect()).unwrap();
+            preset("telemac").broken_by(&mesh).unwrap()
+        };
+        assert!(wheels(1).ends_with("cuts it off"), "{}", wheels(1));
+        assert!(wheels(2).ends_with("; so does triangle 1"), "{}", wheels(2));
+        let many = "; so do triangles 1, 2, 3, 4, 5, 6, 7, 8 and 3 more";
+        assert!(wheels(12).ends_with(many), "{}", wheels(12));
+    }
+
+    #[test]
     fn programs_that_stop_at_clockwise_triangles_are_known() {
         let clockwise = |mesh: TriMesh| {
             let turned = mesh.triangles().iter().map(|[a, b, c]| [*a, *c, *b]).collect();

@@ -3,7 +3,7 @@
 //! Each ring is a chain, and each line. Where lines meet each other or rings, each chain has a vertex of its own at the one
 //! place; these stay.
 
-use crate::changes::{BoundaryChange, ChangeKind, Point};
+use crate::changes::{BoundaryChange, ChangeKind, Point, Why};
 use crate::demands::Hold;
 use crate::grid::Grid;
 use glam::DVec2;
@@ -262,6 +262,26 @@ impl Chains {
         self.edges().map(of_edge).fold(self.shifted, f64::max)
     }
 
+    /// How far the boundary moved at each dropped, moved or new point.
+    pub(crate) fn distances(&self) -> BTreeMap<[u64; 2], f64> {
+        let key = |at: DVec2| at.to_array().map(f64::to_bits);
+        let mut distances = BTreeMap::new();
+        for vertex in self.alive() {
+            let own = &self.vertices[vertex as usize];
+            if own.next != NONE {
+                let ends = [vertex, own.next].map(|v| self.at(v));
+                let dropped = own.dropped.iter();
+                distances.extend(dropped.map(|point| (key(*point), farthest(&[*point], ends))));
+            }
+            let moved = match own.home {
+                Some(home) => Some((home, home.distance(own.point.at) + own.off)),
+                None => own.point.of.is_none().then_some((own.point.at, own.off)),
+            };
+            distances.extend(moved.map(|(at, moved)| (key(at), moved)));
+        }
+        distances
+    }
+
     /// Drops the holes of a smaller area, but for those with a point that stays.
     pub(crate) fn drop_holes(&mut self, least: f64) {
         for ring in self.order().into_iter().take(self.rings).skip(1) {
@@ -272,7 +292,9 @@ impl Chains {
                 continue;
             }
             let center = ring.iter().map(|v| self.at(*v)).sum::<DVec2>() / ring.len() as f64;
-            self.changes.push(BoundaryChange { kind: ChangeKind::HoleDropped, at: center });
+            let edge = self.vertices[ring[0] as usize].point.edge;
+            let kind = ChangeKind::HoleDropped;
+            self.changes.push(BoundaryChange::of_edge(kind, center, Why::Area, edge));
             ring.iter().for_each(|v| self.vertices[*v as usize].is_alive = false);
         }
     }

@@ -20,6 +20,38 @@ pub struct BoundaryChange {
     pub kind: ChangeKind,
     /// Where.
     pub at: DVec2,
+    /// Why.
+    pub why: Why,
+    /// The edge of the old boundary there, as in [`Point::edge`]; none for what is narrower than the width.
+    pub edge: Option<u32>,
+    /// How far the boundary moved there: a dropped or moved point from the new boundary, a new point from the old one. None where
+    /// something narrow was closed or cut off, or a hole dropped.
+    pub moved: Option<f64>,
+}
+
+impl BoundaryChange {
+    pub(crate) fn of_edge(kind: ChangeKind, at: DVec2, why: Why, edge: u32) -> Self {
+        Self { kind, at, why, edge: Some(edge), moved: None }
+    }
+}
+
+/// Why a boundary changes at a place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Why {
+    /// The edges there were too short or too long for the size.
+    Size,
+    /// The limit at a vertex there was below the angle.
+    Limit,
+    /// Edges that face each other were long beside their distance.
+    Strait,
+    /// An edge was long beside others near it.
+    Growth,
+    /// The triangles of an inlet or a strait one edge wide could not have the angle together.
+    Narrow,
+    /// It was narrower than the least width.
+    Width,
+    /// Its area was below the least one.
+    Area,
 }
 
 /// The kinds of changes.

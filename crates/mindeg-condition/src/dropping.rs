@@ -1,7 +1,7 @@
 //! Points that are dropped: each where the boundary moves least.
 
 use crate::chains::{Chains, NONE, farthest};
-use crate::changes::{BoundaryChange, ChangeKind};
+use crate::changes::{BoundaryChange, ChangeKind, Point, Why};
 use crate::demands::{BoundaryDemands, Hold};
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, VecDeque};
@@ -30,7 +30,7 @@ impl Chains {
             let moves = moves.filter_map(|v| Some((self.drop_distance(v, demands)?, v)));
             let best = moves.min_by(|a, b| a.0.total_cmp(&b.0));
             if let Some((_, dropped)) = best {
-                let ends = self.drop(dropped);
+                let ends = self.drop(dropped, Why::Limit);
                 queue.extend(ends.into_iter().filter(|v| is_bad(self, *v)));
             }
         }
@@ -49,7 +49,7 @@ impl Chains {
         while let Some(top @ Reverse((_, vertex))) = heap.pop() {
             // Its neighbours may have changed.
             if self.vertices[vertex as usize].is_alive && entry(self, vertex) == Some(top) {
-                let ends = self.drop(vertex);
+                let ends = self.drop(vertex, Why::Size);
                 heap.extend(ends.into_iter().filter_map(|v| entry(self, v)));
             }
         }
@@ -82,10 +82,10 @@ impl Chains {
     }
 
     /// Drops a vertex. Returns its neighbours.
-    pub(crate) fn drop(&mut self, vertex: u32) -> [u32; 2] {
+    pub(crate) fn drop(&mut self, vertex: u32, why: Why) -> [u32; 2] {
         let own = &mut self.vertices[vertex as usize];
         own.is_alive = false;
-        let (u, w, at) = (own.previous, own.next, own.point.at);
+        let (u, w, Point { at, edge, .. }) = (own.previous, own.next, own.point);
         let after = std::mem::take(&mut own.dropped);
         let before = &mut self.vertices[u as usize];
         // The edge is another one.
@@ -94,7 +94,7 @@ impl Chains {
         before.dropped.push(at);
         before.dropped.extend(after);
         self.vertices[w as usize].previous = u;
-        self.changes.push(BoundaryChange { kind: ChangeKind::Dropped, at });
+        self.changes.push(BoundaryChange::of_edge(ChangeKind::Dropped, at, why, edge));
         [u, w]
     }
 }

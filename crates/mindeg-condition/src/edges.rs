@@ -1,12 +1,12 @@
 //! Points on edges: they move nothing, and mend a short edge beside a long one and long edges in a strait.
 
 use crate::chains::Chains;
-use crate::changes::{BoundaryChange, ChangeKind, Left, Reason};
+use crate::changes::{BoundaryChange, ChangeKind, Left, Reason, Why};
 use crate::demands::BoundaryDemands;
 use crate::error::ConditionError;
 use glam::DVec2;
 use mindeg_interior::limits::tents_below;
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 
 /// Rounds of dividing: each halves what is too long.
 const ROUNDS: usize = 64;
@@ -34,19 +34,28 @@ impl Chains {
         let roomy = libm::atan(room * libm::tan(demands.angle.to_radians())).to_degrees();
         let mut fresh: Vec<u32> = self.alive().collect();
         for _ in 0..ROUNDS {
-            let mut long: BTreeSet<u32> = BTreeSet::new();
+            let mut long: BTreeMap<u32, Why> = BTreeMap::new();
+            let mut divide = |edges: &mut dyn Iterator<Item = (u32, Why)>| {
+                for (edge, why) in edges {
+                    long.entry(edge).or_insert(why);
+                }
+            };
             for vertex in fresh.drain(..) {
-                long.extend(self.to_divide(vertex, demands));
+                divide(&mut self.to_divide(vertex, demands).into_iter());
             }
-            long.extend(self.in_straits(roomy, demands.angle));
-            long.extend(self.edges().filter(|edge| self.grows_fast(*edge, demands.growth)));
-            for vertex in long {
+            let in_straits = self.in_straits(roomy, demands.angle).into_iter();
+            divide(&mut in_straits.map(|edge| (edge, Why::Strait)));
+            let growing = self.edges().filter(|edge| self.grows_fast(*edge, demands.growth));
+            divide(&mut growing.map(|edge| (edge, Why::Growth)));
+            for (vertex, why) in long {
                 if self.is_kept_edge(vertex) || self.length(vertex) < SHORTEST * largest {
                     continue;
                 }
                 let at = self.at(vertex).midpoint(self.at(self.next(vertex)));
                 let new = self.insert(vertex, at);
-                self.changes.push(BoundaryChange { kind: ChangeKind::Inserted, at });
+                let (kind, edge) =
+                    (ChangeKind::Inserted, self.vertices[vertex as usize].point.edge);
+                self.changes.push(BoundaryChange::of_edge(kind, at, why, edge));
                 fresh.extend([vertex, new, self.next(new)]);
             }
             if fresh.is_empty() {
@@ -60,14 +69,14 @@ impl Chains {
     }
 
     /// The edges at a vertex that are too long: for the size, or beside another one.
-    fn to_divide(&self, vertex: u32, demands: &BoundaryDemands) -> Vec<u32> {
+    fn to_divide(&self, vertex: u32, demands: &BoundaryDemands) -> Vec<(u32, Why)> {
         let most = demands.size.map_or(f64::INFINITY, |size| LONGEST * size);
-        let mut long: Vec<u32> = Vec::new();
+        let mut long: Vec<(u32, Why)> = Vec::new();
         let (mut longest, mut shortest) = ((0.0, vertex), f64::INFINITY);
         for edge in self.edges_at(vertex) {
             let length = self.length(edge);
             if length > most {
-                long.push(edge);
+                long.push((edge, Why::Size));
             }
             if length >= longest.0 {
                 longest = (length, edge);
@@ -77,7 +86,7 @@ impl Chains {
         // A corner that is too sharp gets the angle that it has, but for rounding.
         let wanted = demands.angle.min(self.angle(vertex).to_degrees() * (1.0 - 1e-9));
         let is_uneven = longest.0 > UNEVEN * shortest && self.limit(vertex) < wanted;
-        long.extend(is_uneven.then_some(longest.1));
+        long.extend(is_uneven.then_some((longest.1, Why::Limit)));
         long
     }
 

@@ -13,7 +13,7 @@ mod step;
 mod straits;
 
 use crate::chains::Chains;
-use crate::changes::{BoundaryChange, ChangeKind, Left, Reason};
+use crate::changes::{BoundaryChange, ChangeKind, Left, Reason, Why};
 use crate::demands::BoundaryDemands;
 use crate::error::ConditionError;
 use around::{Around, Meshed, Whole};
@@ -283,12 +283,13 @@ impl Chains {
         match step {
             Step::Shift { vertex, to } => self.shift(vertex, to, demands),
             Step::Drop { vertex } => {
-                self.drop(vertex);
+                self.drop(vertex, Why::Narrow);
                 shores.iter_mut().for_each(|shore| shore.retain(|v| *v != vertex));
             }
             Step::Insert { edge, at } => {
                 let new = self.insert(edge, at);
-                self.changes.push(BoundaryChange { kind: ChangeKind::Inserted, at });
+                let (kind, of) = (ChangeKind::Inserted, self.vertices[edge as usize].point.edge);
+                self.changes.push(BoundaryChange::of_edge(kind, at, Why::Narrow, of));
                 for shore in shores {
                     if let Some(at) = shore.iter().position(|v| *v == edge) {
                         shore.insert(at + 1, new);

@@ -36,7 +36,7 @@ mod narrow;
 mod stars;
 mod tips;
 
-pub use changes::{BoundaryChange, ChangeKind, Left, Narrow, NarrowReason, Point, Reason};
+pub use changes::{BoundaryChange, ChangeKind, Left, Narrow, NarrowReason, Point, Reason, Why};
 pub use demands::{BoundaryDemands, Hold, LEAST_GROWTH};
 pub use error::ConditionError;
 
@@ -140,6 +140,9 @@ pub fn condition_map(
         point.of = point.of.and_then(|of| own[of as usize].of);
         point.edge = old_edge(point.edge);
     }
+    for change in &mut found.changes {
+        change.edge = change.edge.map(old_edge);
+    }
     found.changes.splice(0..0, changes);
     Ok(Conditioned { before, narrow, ..found })
 }
@@ -167,7 +170,11 @@ fn of_wide(
     checked(boundary, &rings, &lines)?;
     let (after, mut left, moved) = (chains.limit_of_all(), chains.left(demands), chains.moved());
     left.extend(narrow_inlets);
-    let (changes, narrow) = (chains.changes, Vec::new());
+    let distances = chains.distances();
+    let (mut changes, narrow) = (chains.changes, Vec::new());
+    for change in &mut changes {
+        change.moved = distances.get(&change.at.to_array().map(f64::to_bits)).copied();
+    }
     Ok(Conditioned { rings, lines, changes, left, narrow, before, after, moved })
 }
 

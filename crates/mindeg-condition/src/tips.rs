@@ -1,7 +1,7 @@
 //! Sharp corners: no mesh has a greater minimum angle than the angle of a corner, so a tip is cut off.
 
 use crate::chains::{Chains, farthest};
-use crate::changes::{BoundaryChange, ChangeKind};
+use crate::changes::{BoundaryChange, ChangeKind, Why};
 use crate::demands::BoundaryDemands;
 
 /// At most this share of an edge is cut off with a tip.
@@ -55,7 +55,8 @@ impl Chains {
                 self.vertices[first as usize].dropped.push(at);
                 self.vertices[first as usize].dropped.extend(dropped);
                 self.vertices[second as usize].previous = first;
-                self.changes.push(BoundaryChange { kind: ChangeKind::Cut, at });
+                let edge = self.vertices[tip as usize].point.edge;
+                self.changes.push(BoundaryChange::of_edge(ChangeKind::Cut, at, Why::Limit, edge));
                 return;
             }
             cut /= 2.0;

@@ -37,7 +37,7 @@ pub use lift::{Lift, lift};
 pub use limit::{AngleLimit, Cause, angle_limit};
 pub use mindeg_condition::{
     BoundaryChange, BoundaryDemands, ChangeKind, Conditioned, LEAST_GROWTH, Left, Narrow,
-    NarrowReason, Reason,
+    NarrowReason, Reason, Why,
 };
 pub use mindeg_interior::limits::{FanLimit, Limits, TentLimit, degree_limit};
 pub use mindeg_interior::{

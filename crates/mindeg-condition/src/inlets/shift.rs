@@ -1,7 +1,7 @@
 //! Points that are moved, as far as the boundary may move.
 
 use crate::chains::{Chains, NONE, farthest};
-use crate::changes::{BoundaryChange, ChangeKind};
+use crate::changes::{BoundaryChange, ChangeKind, Why};
 use crate::demands::{BoundaryDemands, Hold};
 use glam::DVec2;
 use mindeg_mesh::planar::orientation;
@@ -92,7 +92,8 @@ impl Chains {
         let own = &mut self.vertices[vertex as usize];
         if own.home.is_none() {
             own.home = Some(home);
-            self.changes.push(BoundaryChange { kind: ChangeKind::Shifted, at: home });
+            let (kind, edge) = (ChangeKind::Shifted, own.point.edge);
+            self.changes.push(BoundaryChange::of_edge(kind, home, Why::Narrow, edge));
         }
         own.point.at = to;
         own.point.of = None;

@@ -5,7 +5,7 @@ use super::pockets::{is_deep, pockets};
 use super::rules::{Narrows, Rules};
 use super::trace::is_on_ring;
 use crate::chains::NONE;
-use crate::changes::{BoundaryChange, ChangeKind, Narrow, NarrowReason};
+use crate::changes::{BoundaryChange, ChangeKind, Narrow, NarrowReason, Why};
 use crate::demands::Hold;
 use crate::grid::Grid;
 use glam::DVec2;
@@ -45,16 +45,13 @@ pub(super) fn turned<'p>(plane: &'p Plane<'p>, rules: &Rules<'p>, kind: Narrows)
             found.all[run as usize].plan = Some(Err(NarrowReason::Kept));
         }
     }
+    let of_width = |kind, at| BoundaryChange { kind, at, why: Why::Width, edge: None, moved: None };
     let of_runs = found.all.iter().filter_map(|run| {
         let kind = (*run.plan.as_ref()?).ok()?;
-        Some(BoundaryChange { kind, at: run.at })
+        Some(of_width(kind, run.at))
     });
-    let changes = of_runs.chain(
-        found
-            .basins
-            .iter()
-            .map(|basin| BoundaryChange { kind: ChangeKind::BasinDropped, at: *basin }),
-    );
+    let changes =
+        of_runs.chain(found.basins.iter().map(|basin| of_width(ChangeKind::BasinDropped, *basin)));
     let stays = found.all.iter().filter_map(|run| {
         let reason = (*run.plan.as_ref()?).err()?;
         Some(Narrow { at: run.at, width: run.width, reason })
