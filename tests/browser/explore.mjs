@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { createServer, request as httpRequest } from "node:http";
-import { mkdirSync, readFileSync, rmSync, symlinkSync } from "node:fs";
+import { mkdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { chromium } from "playwright-core";
 import { answered, cornerPlaces, explore } from "./explore-server.mjs";
@@ -719,6 +719,64 @@ test("a hole that fits nowhere is refused there and then, and nothing waits for 
   await page.context().close();
 });
 
+test("sides are divided by a length, and a boundary is conditioned, with the command for it", async () => {
+  const strait = "0,0\n10,0\n10,0.5\n0,0.5\n";
+  writeFileSync(join(work, "strait.csv"), strait);
+  const server = await explore(binary, join(work, "strait.csv"));
+  const page = await browser.newPage();
+  try {
+    await page.goto(server.address);
+    await answered(page);
+    const count = async () => Number((await page.locator("#facts").textContent()).match(/^(\d+) boundary/)[1]);
+    assert.equal(await count(), 4);
+    // The numbers of the file are whole: the page writes them otherwise, and its command names the file all the same.
+    assert.match(await page.locator("#command").textContent(), /^mindeg mesh \S*strait\.csv --\S+ .*-o strait-\S+\.obj$/);
+    await page.locator("#condition").click();
+    await page.waitForFunction(() => /boundary points become/.test(document.querySelector("#condition-words").textContent));
+    await answered(page);
+    assert.ok((await count()) > 20, String(await count()));
+    assert.match(await page.locator("#condition-command").textContent(), /^mindeg condition \S*strait\.csv --limit 25 -o strait-conditioned\.json$/);
+    await page.locator("#presets").selectOption("plate-with-holes");
+    await answered(page);
+    const before = await count();
+    await page.locator("#edge-size").fill("0.2");
+    await page.locator("#divide").click();
+    await answered(page);
+    assert.ok((await count()) > 1.5 * before / 2 && (await count()) !== before, `${before} and ${await count()}`);
+  } finally {
+    await page.close();
+    await server.stop();
+  }
+});
+
+test("a surface that the page starts with is there again after a reload, until the reader goes back", async () => {
+  const server = await explore(binary, join(domains, "../models/bracket.obj"));
+  const page = await browser.newPage();
+  const isSolid = () => page.evaluate(() => document.body.classList.contains("solid"));
+  const drawn = () => page.waitForFunction(() => document.querySelectorAll("#solid-meshes .stage[data-drawn]").length === 1);
+  const isKept = () => page.waitForFunction(() => location.hash.includes("/"));
+  try {
+    await page.goto(server.address);
+    await drawn();
+    await isKept();
+    await page.waitForTimeout(600);
+    await page.reload();
+    await drawn();
+    assert.ok(await isSolid());
+    await page.locator("#solid-end").click();
+    await answered(page);
+    assert.ok(!(await isSolid()));
+    assert.match(await page.locator("#facts").textContent(), /boundary vertices/);
+    await page.waitForTimeout(600);
+    await page.reload();
+    await answered(page);
+    assert.ok(!(await isSolid()));
+  } finally {
+    await page.close();
+    await server.stop();
+  }
+});
+
 test("a boundary too large to compare all degrees still has advice", async () => {
   const page = await open();
   const sides = [1500, 1000, 1500, 1000].map((intervals) => ({ intervals }));
@@ -726,7 +784,7 @@ test("a boundary too large to compare all degrees still has advice", async () =>
   await page.locator("#file").setInputFiles({ name: "large.json", mimeType: "application/json", buffer: Buffer.from(JSON.stringify(large)) });
   await page.waitForFunction(() => document.querySelector("#title").textContent === "large");
   await answered(page);
-  assert.match(await text(page, "#advice"), /^For a patch that must keep its points, take degree \d+: minimum angle/);
+  assert.match(await text(page, "#advice"), /^For a patch that must keep its points, take degree \d+: minimum angle .* For a solver, put points inside\.$/);
   assert.match(await text(page, "#curve-note"), /^Not compared: .*5000.*\.$/);
   assert.ok(!await page.locator("#curve").isVisible());
   await choose(page, "figure-1");
