@@ -314,3 +314,20 @@ const PROOFS: [&str; 13] = [
     "side",
     "weights",
 ];
+
+/// A vertex inside has no edges that stay, which the search for an excuse once asked for.
+#[test]
+fn a_vertex_inside_with_too_many_edges_is_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [mesh, domain] = ["fan.obj", "octagon.json"].map(|name| folder.path().join(name));
+    let ring = ["1 0", "0.7 0.7", "0 1", "-0.7 0.7", "-1 0", "-0.7 -0.7", "0 -1", "0.7 -0.7"];
+    let points: Vec<String> =
+        ring.iter().map(|at| format!("[{}]", at.replace(' ', ", "))).collect();
+    fs::write(&domain, format!(r#"{{"ring": [{}]}}"#, points.join(", "))).expect("a file");
+    let vertices = ring.iter().chain(&["0 0"]).map(|at| format!("v {at} 0\n"));
+    let faces = (1..9).map(|v| format!("f {v} {} 9\n", v % 8 + 1));
+    fs::write(&mesh, vertices.chain(faces).collect::<String>()).expect("a file");
+    let run = mindeg(["verify", text(&mesh), text(&domain)]);
+    assert_eq!(run.code, Some(0), "{run:?}");
+    assert!(run.text().contains("degree 8"), "{run:?}");
+}

@@ -11,7 +11,7 @@ use crate::lengths::SizeReport;
 use crate::limits::limits;
 use crate::measure::{Wanted, degrees_at_boundary, measure};
 use crate::optimise::{Pairs, optimise};
-use crate::options::{InteriorError, Options, check_coordinates};
+use crate::options::{InteriorError, Options, check_coordinates, check_room, rounding};
 use crate::packing::is_inside_of;
 use crate::places::mend_places;
 use crate::report::{InteriorReport, Violation};
@@ -152,6 +152,11 @@ fn generate_of(
 ) -> Result<Generated, InteriorError> {
     options.check()?;
     check_coordinates(outline)?;
+    let rounding = rounding(outline);
+    for [a, b] in outline.edges() {
+        let [a, b] = [a, b].map(|v| outline.point(v));
+        check_room(a, a.distance(b), rounding)?;
+    }
     let limits = limits(outline, |v| options.degree_limit(outline, v));
     check_target(&limits, options)?;
     let floor = floor(options);

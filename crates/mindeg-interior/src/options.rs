@@ -33,6 +33,24 @@ pub fn check_coordinates(boundary: &PlanarBoundary) -> Result<(), InteriorError>
     }
 }
 
+/// The rounding of the largest coordinate.
+pub(crate) fn rounding(boundary: &PlanarBoundary) -> f64 {
+    let bounds = boundary.bounds();
+    f64::EPSILON * bounds.min.abs().max(bounds.max.abs()).max_element()
+}
+
+/// Refuses a size at a place where distances, which are as exact as the coordinates of the boundary, do not tell
+/// a neighbour from another, or inside from outside: there a packing finds no end.
+pub(crate) fn check_room(at: DVec2, size: f64, rounding: f64) -> Result<(), InteriorError> {
+    /// A size of fewer roundings is too small.
+    const LEAST_ROUNDINGS: f64 = 64.0;
+    // A size that is not a number is too small, too.
+    if size > LEAST_ROUNDINGS * rounding {
+        return Ok(());
+    }
+    Err(InteriorError::NoRoom { at: at.to_array(), size, rounding })
+}
+
 /// How many names a message lists.
 const MOST_NAMES: usize = 20;
 

@@ -8,7 +8,7 @@ use crate::breaklines::{Breaklines, Piece};
 use crate::edge_tree::EdgeTree;
 use crate::goal::Goal;
 use crate::near::Near;
-use crate::options::InteriorError;
+use crate::options::{InteriorError, check_room};
 use crate::size::SizeField;
 use crate::stage::Stage;
 use crate::star::{Sector, Stars, allotted};
@@ -50,6 +50,9 @@ struct Candidate {
     step: DVec2,
     /// The direction of the packing here.
     direction: DVec2,
+    /// No distance from other points of more than this is asked for: over an edge, its ends are there however fast
+    /// sizes grow from it.
+    most: f64,
 }
 
 /// The share of the work on a start that packing takes.
@@ -65,6 +68,9 @@ const APART: f64 = 0.6;
 /// Nearer to a piece of other vertices than this share of its length, no spoke ends: on the piece it would divide it.
 const ON_PIECE: f64 = 0.1;
 
+/// The ends of an edge are farther from the point over it than this share of its length, for all rounding.
+const TO_ENDS: f64 = 0.98;
+
 /// Nearer to an edge than this share of size or edge length, no point is put.
 const CLEARANCE: f64 = 0.45;
 
@@ -75,7 +81,8 @@ impl Ground<'_> {
         stage: &mut Stage<'_>,
     ) -> Result<(Vec<DVec2>, Vec<f64>), InteriorError> {
         let points = self.outline.points();
-        let mut near = Near::new(self.outline.bounds());
+        let bounds = self.outline.bounds();
+        let mut near = Near::new(bounds);
         let mut sizes = Vec::with_capacity(points.len());
         for vertex in 0..points.len() as u32 {
             near.insert(points[vertex as usize]);
@@ -92,7 +99,12 @@ impl Ground<'_> {
         self.start(&mut queue);
         while let Some(candidate) = queue.pop_front() {
             let Some((place, size)) = self.place(&near, &sizes, candidate) else { continue };
-            self.check_room(place, size)?;
+            check_room(place, size, self.rounding)?;
+            // Beside a spike that is thinner than the rounding, inside and outside are not told apart.
+            if place.clamp(bounds.min, bounds.max) != place {
+                let (at, rounding) = (place.to_array(), self.rounding);
+                return Err(InteriorError::NoRoom { at, size, rounding });
+            }
             near.insert(place);
             sizes.push(size);
             if sizes.len() > self.max_points {
@@ -175,7 +187,7 @@ impl Ground<'_> {
                 && !self.is_on_piece(place, at, ON_PIECE * length)
             {
                 let size = self.field.at(place);
-                self.check_room(place, size)?;
+                check_room(place, size, self.rounding)?;
                 near.insert(place);
                 sizes.push(size);
                 surround(place, size, direction, queue);
@@ -195,6 +207,7 @@ impl Ground<'_> {
             from: a.midpoint(b) + (b - a).perp() * (SQRT_3 / 2.0),
             step: DVec2::ZERO,
             direction: (b - a).normalize_or_zero(),
+            most: TO_ENDS * a.distance(b),
         }));
         for point in &self.lines.points {
             surround(*point, self.field.at(*point), DVec2::X, queue);
@@ -225,7 +238,7 @@ impl Ground<'_> {
         }
         let size = self.field.at(place);
         // Points are most often in the way, and soonest found.
-        if near.nearest(place, self.spacing * size).is_some() {
+        if near.nearest(place, (self.spacing * size).min(candidate.most)).is_some() {
             return None;
         }
         let clear = CLEARANCE * size;
@@ -246,18 +259,6 @@ impl Ground<'_> {
             }
         }
         Some((place, size))
-    }
-
-    /// Refuses a point where distances, which are as exact as the coordinates of the boundary, do not tell
-    /// a neighbour from another, or inside from outside: there the packing finds no end.
-    fn check_room(&self, at: DVec2, size: f64) -> Result<(), InteriorError> {
-        /// A size of fewer roundings is too small.
-        const LEAST_ROUNDINGS: f64 = 64.0;
-        // A size that is not a number is too small, too.
-        if size > LEAST_ROUNDINGS * self.rounding {
-            return Ok(());
-        }
-        Err(InteriorError::NoRoom { at: at.to_array(), size, rounding: self.rounding })
     }
 
     /// True if a piece that does not end at `vertex` is the nearest to `x`, and nearer than that.
@@ -317,7 +318,7 @@ fn surround(from: DVec2, size: f64, direction: DVec2, queue: &mut VecDeque<Candi
     let sixth = DVec2::new(0.5, SQRT_3 / 2.0);
     let mut turned = direction;
     for _ in 0..6 {
-        queue.push_back(Candidate { from, step: turned * size, direction });
+        queue.push_back(Candidate { from, step: turned * size, direction, most: f64::INFINITY });
         turned = turned.rotate(sixth);
     }
 }

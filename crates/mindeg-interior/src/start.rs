@@ -4,7 +4,7 @@ use crate::array_mesh::{ArrayMesh, Kind, NONE, Vertex};
 use crate::breaklines::Breaklines;
 use crate::edge_tree::{EdgeTree, Item};
 use crate::goal::Goal;
-use crate::options::InteriorError;
+use crate::options::{InteriorError, rounding};
 use crate::order::along_hilbert_curve;
 use crate::packing::Ground;
 use crate::size::SizeField;
@@ -56,7 +56,7 @@ impl Start<'_> {
             spacing,
             fan_angle: floor + 3.0,
             spokes,
-            rounding: f64::EPSILON * bounds.min.abs().max(bounds.max.abs()).max_element(),
+            rounding: rounding(self.outline),
             max_points,
         };
         let (packed, sizes) = ground.pack(stage)?;

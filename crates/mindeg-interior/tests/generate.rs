@@ -445,7 +445,17 @@ fn coordinates_without_room_for_points_end_at_once() {
     let shift = |ring: &[[f64; 2]]| {
         ring.iter().map(|&[x, y]| DVec2::new(x, y) + 4_503_599_627_370_496.0).collect()
     };
-    for rings in [[points(&far), points(&hole)], [shift(&exact), shift(&exact_hole)]] {
+    // Spikes that are thinner than the rounding far from where they begin.
+    let spikes = [
+        [4503599627370498.0, 4503599627370497.0],
+        [4503600361299855.0, 4503600227620048.0],
+        [4503599627370494.5, 4503599627370496.0],
+        [4503600166350139.0, 4503599072922979.0],
+        [4503599627376695.0, 4503599627365181.0],
+        [4503599627376925.0, 4503599627365947.0],
+    ];
+    let with_holes = [vec![points(&far), points(&hole)], vec![shift(&exact), shift(&exact_hole)]];
+    for rings in with_holes.into_iter().chain([vec![points(&spikes)]]) {
         let outline = PlanarBoundary::oriented(&rings).unwrap().0;
         let start = std::time::Instant::now();
         let in_time = |_: Step<'_>| match start.elapsed().as_secs() {
@@ -458,6 +468,20 @@ fn coordinates_without_room_for_points_end_at_once() {
             Ok(found) => assert_eq!(found.report.interior_points, 0),
             Err(error) => assert!(error.to_string().starts_with("no point fits at ("), "{error}"),
         }
+    }
+}
+
+/// The point over an edge was refused where sizes grow fast from it: nothing was packed, and the minimum angle was 0.3°.
+#[test]
+fn sizes_may_grow_fast_from_a_fine_boundary() {
+    let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    let outline = ring(&points(&corners), &[80; 4]);
+    for growth in [0.3, 0.4, 0.7, 1.0, 2.0] {
+        let wanted =
+            Interior { size_inside: Some(0.2), growth: Some(growth), ..Interior::default() };
+        let found = mesh(std::slice::from_ref(&outline), &Fixed::default(), &wanted.into());
+        let least = found.report.min_angle;
+        assert!(least > 25.0 && found.report.violations.is_empty(), "{growth}: {least}");
     }
 }
 

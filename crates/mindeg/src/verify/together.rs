@@ -81,7 +81,7 @@ impl<'a> Frozen<'a> {
 
     /// The first group round a vertex that is excused, by its size.
     fn group(&self, vertex: u32, limit: u32) -> Option<BTreeSet<u32>> {
-        let is_open = |v: &u32| self.corners(*v).len() < self.ends[v].len();
+        let is_open = |v: &u32| self.corners(*v).len() < self.ends(*v).len();
         let mut groups = BTreeSet::from([BTreeSet::from([vertex])]);
         for _ in 0..MOST_IN_A_GROUP {
             let is_excused = |group: &&BTreeSet<u32>| {
@@ -92,7 +92,7 @@ impl<'a> Frozen<'a> {
                 return Some(found.clone());
             }
             let larger = groups.iter().flat_map(|group| {
-                let near = group.iter().flat_map(|v| self.ends[v].iter().copied());
+                let near = group.iter().flat_map(|v| self.ends(*v).iter().copied());
                 let near = near.filter(|v| !group.contains(v) && !is_open(v));
                 near.map(|v| group.iter().copied().chain([v]).collect())
             });
@@ -101,10 +101,15 @@ impl<'a> Frozen<'a> {
         None
     }
 
+    /// The other ends of the edges that stay at a vertex; inside a face there are none.
+    fn ends(&self, vertex: u32) -> &[u32] {
+        self.ends.get(&vertex).map_or(&[], |ends| ends)
+    }
+
     fn corners(&self, vertex: u32) -> Vec<Corner> {
         let span = |end: u32| self.mesh.points[end as usize] - self.mesh.points[vertex as usize];
         let direction = |end: u32| turned(DVec2::X, span(end));
-        let mut ends = self.ends.get(&vertex).cloned().unwrap_or_default();
+        let mut ends = self.ends(vertex).to_vec();
         ends.sort_by(|a, b| direction(*a).total_cmp(&direction(*b)));
         let corner = |i: usize| {
             let both = [ends[i], ends[(i + 1) % ends.len()]];
