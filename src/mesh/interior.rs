@@ -23,6 +23,7 @@ use mindeg_answers::numbers::triangles;
 use mindeg_answers::ocean::{DepthsAnswer, OpeningRow};
 use mindeg_answers::sizes::{coarse_sides, sizes};
 use mindeg_files::{Input, PolygonFile};
+use mindeg_mesh::{Bounds, significant};
 use serde::Serialize;
 use std::borrow::Cow;
 
@@ -216,9 +217,22 @@ fn draw_changes(
 
 /// Below this limit in degrees the boundary is worth changing: meshes need 20 to 30.
 const POOR_LIMIT: f64 = 20.0;
+/// Below this share of the limits of places, and with fewer edges that stay, these are too long to leave room for good triangles.
+const POOR_SHARE: f64 = 0.9;
+const FEW_EDGES: usize = 64;
 
-/// The option that lifts a poor limit, unless it is the angle of a corner itself.
-fn condition_hint(arguments: &MeshArguments, limit: &AngleLimit) -> Option<String> {
+/// The option that makes a poor boundary better: it divides few long sides, or lifts a limit, unless that is the angle of a corner itself.
+fn boundary_hint(arguments: &MeshArguments, found: &InteriorMesh) -> Option<String> {
+    let InteriorMesh { mesh, report, limit, .. } = found;
+    let edges: usize = mesh.lines().iter().map(|line| line.segments.len()).sum();
+    let is_poor = report.interior_points > 0 && report.local.worst < POOR_SHARE;
+    if is_poor && edges < FEW_EDGES {
+        let size = Bounds::of_space(mesh.positions().iter().copied())?.size().max_element() / 10.0;
+        return Some(format!(
+            "hint: few long sides leave little room for good triangles; --size {} divides them.",
+            significant(size, 1)
+        ));
+    }
     let is_sharp =
         matches!(limit.cause, Cause::Corner { angle, .. } if angle < limit.min_angle * 1.01);
     let is_hinted = arguments.condition.is_none() && limit.min_angle < POOR_LIMIT && !is_sharp;
@@ -281,7 +295,7 @@ pub(super) fn run(
             .chain(summary.ocean.words())
             .chain(domain.notes())
             .chain(more_on_request(&found.report, wanted.target_angle))
-            .chain(condition_hint(arguments, limit))
+            .chain(boundary_hint(arguments, &found))
             .collect::<Vec<_>>()
             .join("\n")
     };
@@ -344,7 +358,7 @@ pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Res
             .into_iter()
             .chain([text(&title(), &found, &lifting, &summary)])
             .chain(summary.ocean.words())
-            .chain(condition_hint(arguments, limit))
+            .chain(boundary_hint(arguments, &found))
             .collect::<Vec<_>>()
             .join("\n")
     };

@@ -380,3 +380,27 @@ fn an_angle_that_nobody_asked_for_is_offered() {
     let asked = run(&["--target-angle", "42"]);
     assert!(asked.code == Some(0) && !asked.errors.contains("hint: no more"), "{asked:?}");
 }
+
+#[test]
+fn few_long_sides_are_told_what_divides_them() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("mesh.obj").display().to_string();
+    let ring = |[low, high]: [u32; 2]| {
+        format!("[[{low}, {low}], [{high}, {low}], [{high}, {high}], [{low}, {high}], [{low}, {low}]]")
+    };
+    let polygon = |rings: String| {
+        format!(
+            r#"{{"type": "Feature", "properties": {{}}, "geometry": {{"type": "Polygon", "coordinates": [{rings}]}}}}"#
+        )
+    };
+    let [land, lake] = [[0, 1000], [300, 600]].map(ring);
+    let features = [polygon(format!("{land}, {lake}")), polygon(lake)].join(", ");
+    let map = format!(r#"{{"type": "FeatureCollection", "features": [{features}]}}"#);
+    let hint = "hint: few long sides leave little room for good triangles; --size 100 divides them.";
+    let mesh = ["mesh", "-", "--interior", "-o", &out];
+    let run = mindeg_reading(mesh, map.as_bytes());
+    assert!(run.code == Some(0) && run.errors.contains(hint), "{run:?}");
+    let run = mindeg_reading([&mesh[..], &["--size", "100"]].concat(), map.as_bytes());
+    assert!(run.errors.contains("Each triangle reaches the limit of its place"), "{run:?}");
+    assert!(run.code == Some(0) && !run.errors.contains("hint"), "{run:?}");
+}
