@@ -386,7 +386,9 @@ fn few_long_sides_are_told_what_divides_them() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("mesh.obj").display().to_string();
     let ring = |[low, high]: [u32; 2]| {
-        format!("[[{low}, {low}], [{high}, {low}], [{high}, {high}], [{low}, {high}], [{low}, {low}]]")
+        format!(
+            "[[{low}, {low}], [{high}, {low}], [{high}, {high}], [{low}, {high}], [{low}, {low}]]"
+        )
     };
     let polygon = |rings: String| {
         format!(
@@ -396,7 +398,8 @@ fn few_long_sides_are_told_what_divides_them() {
     let [land, lake] = [[0, 1000], [300, 600]].map(ring);
     let features = [polygon(format!("{land}, {lake}")), polygon(lake)].join(", ");
     let map = format!(r#"{{"type": "FeatureCollection", "features": [{features}]}}"#);
-    let hint = "hint: few long sides leave little room for good triangles; --size 100 divides them.";
+    let hint =
+        "hint: few long sides leave little room for good triangles; --size 100 divides them.";
     let mesh = ["mesh", "-", "--interior", "-o", &out];
     let run = mindeg_reading(mesh, map.as_bytes());
     assert!(run.code == Some(0) && run.errors.contains(hint), "{run:?}");

@@ -223,10 +223,9 @@ fn generate_of(
         if mesh.vertices.len() > stays
             && mesh.check().is_ok()
             && let Some(show) = show.take()
+            && show(measured(&mesh)).is_break()
         {
-            if show(measured(&mesh)).is_break() {
-                return Err(InteriorError::Cancelled(Cancelled));
-            }
+            return Err(InteriorError::Cancelled(Cancelled));
         }
         let weights = if seed.pairs { Weights::pairs } else { Weights::single };
         let weights = weights(&way, floor);
