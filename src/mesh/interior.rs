@@ -9,7 +9,7 @@ use crate::domain::{Parts, name};
 use crate::failure::Failure;
 use crate::interrupt::SESSION;
 use crate::making::Making;
-use mindeg::interior::{self, AngleLimit, Cause, InteriorError, InteriorMesh};
+use mindeg::interior::{self, Cause, InteriorError, InteriorMesh};
 use mindeg::{Depths, Domain, Interior, Opening, Projection, Size, TriMesh};
 use mindeg_answers::advice::Purpose;
 use mindeg_answers::condition::ConditionAnswer;
@@ -23,7 +23,7 @@ use mindeg_answers::numbers::triangles;
 use mindeg_answers::ocean::{DepthsAnswer, OpeningRow};
 use mindeg_answers::sizes::{coarse_sides, sizes};
 use mindeg_files::{Input, PolygonFile};
-use mindeg_mesh::{Bounds, significant};
+use mindeg_mesh::{Bounds, Triangles, significant};
 use serde::Serialize;
 use std::borrow::Cow;
 
