@@ -7,6 +7,7 @@ use std::sync::Arc as Shared;
 use glam::DVec2;
 use mindeg_domain::InnerPoint;
 use mindeg_mesh::LineKind;
+use mindeg_mesh::planar::orientation;
 
 use super::curve::{PieceCurve, Segment};
 use super::periodic::PeriodicCurve;
@@ -209,6 +210,15 @@ impl DrawnRing {
             points.extend(inner);
         }
         points
+    }
+
+    /// Whether all its points are on one line, exactly. A ring that crosses itself may cover much where its area, with
+    /// the signs of its turns, is 0.
+    pub(super) fn is_flat(&self) -> bool {
+        let points = self.flattened();
+        let Some(&origin) = points.first() else { return true };
+        let Some(&other) = points.iter().find(|&&point| point != origin) else { return true };
+        points.iter().all(|&point| orientation(origin, other, point) == 0.0)
     }
 
     /// Twice the area, positive if the ring runs counter-clockwise.

@@ -7,7 +7,7 @@
 //! Nested drawings are fitted into their boxes, clips cut, and the first child of a `switch` that a viewer
 //! in English shows is taken.
 //!
-//! Limits: style sheets are not read, only attributes and `style`; `use`, `text`, images and masked
+//! Limits: style sheets are not read, only attributes and `style`, and one that moves or hides shapes is refused; `use`, `text`, images and masked
 //! elements are left out, and so is what viewers do not show.
 
 mod arc;
@@ -66,6 +66,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Outlines, OutlineError> {
         gaps: 0,
         cuts: 0,
     };
+    reader.style_sheets()?;
     reader.tree(root)?;
     reader.end()
 }
@@ -82,6 +83,24 @@ struct Reader<'a, 'input> {
 }
 
 impl<'a, 'input> Reader<'a, 'input> {
+    /// Leaves out style sheets, which may stand anywhere.
+    fn style_sheets(&mut self) -> Result<(), OutlineError> {
+        for node in self.document.descendants().filter(|it| it.tag_name().name() == "style") {
+            if let Some(property) = node.text().and_then(style::decisive) {
+                let property = quoted(&property);
+                return Err(self.error(
+                    node,
+                    format!(
+                        "the style sheet sets {property}, which moves, shapes or hides elements, and style \
+                         sheets are not read; write it into each element, such as with svgo's inlineStyles"
+                    ),
+                ));
+            }
+            self.leave_out("style sheet");
+        }
+        Ok(())
+    }
+
     /// Reads an element and all below it, in the order of the document.
     fn tree(&mut self, root: Node<'a, 'input>) -> Result<(), OutlineError> {
         // y points down in SVG.
@@ -124,6 +143,7 @@ impl<'a, 'input> Reader<'a, 'input> {
             }
             let subpaths = shapes::subpaths(node).map_err(|problem| self.error(node, problem))?;
             match subpaths {
+                Some(subpaths) if subpaths.is_empty() => self.leave_out("shape without extent"),
                 Some(subpaths) => self.shape(node, &style, subpaths)?,
                 None => {
                     let children = node.children().filter(Node::is_element);
@@ -213,7 +233,7 @@ impl<'a, 'input> Reader<'a, 'input> {
             if !is_finite(&ring) {
                 return Err(self.error(node, "a coordinate is too large for a 64-bit float"));
             }
-            if ring.doubled_area() == 0.0 {
+            if ring.is_flat() {
                 self.leave_out("line without area");
             } else {
                 rings.push(ring);
@@ -274,7 +294,7 @@ impl<'a, 'input> Reader<'a, 'input> {
 }
 
 /// The elements that draw something, and the name of those that are left out.
-const DRAWN: [(&str, Option<&str>); 16] = [
+const DRAWN: [(&str, Option<&str>); 15] = [
     ("svg", None),
     ("g", None),
     ("a", None),
@@ -288,12 +308,11 @@ const DRAWN: [(&str, Option<&str>); 16] = [
     ("use", Some("<use>")),
     ("text", Some("<text>")),
     ("line", Some("<line>")),
-    ("style", Some("style sheet")),
     ("image", Some("image")),
     ("foreignObject", Some("image")),
 ];
 
-/// The row of an element that draws something or gives others their style.
+/// The row of an element that draws something.
 fn drawn(node: Node<'_, '_>) -> Option<(&'static str, Option<&'static str>)> {
     DRAWN.into_iter().find(|(name, _)| *name == node.tag_name().name())
 }

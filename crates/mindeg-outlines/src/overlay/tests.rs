@@ -177,6 +177,42 @@ fn random_rings_have_the_area_of_another_library() {
     }
 }
 
+/// The same through a drawing: rings whose area with signs is 0 are shapes, too.
+#[test]
+fn random_paths_of_svg_have_the_area_of_another_library() {
+    let mut random = Random(2);
+    for round in 0..300 {
+        let rings = random_rings(&mut random, round);
+        for (word, other) in [("evenodd", OtherRule::EvenOdd), ("nonzero", OtherRule::NonZero)] {
+            let path = |ring: &DrawnRing| {
+                let points = ring.flattened();
+                points.iter().map(|it| format!("{} {} ", it.x, it.y)).collect::<String>()
+            };
+            let paths: String = rings.iter().map(|ring| format!("M{}z", path(ring))).collect();
+            let text = format!("<svg><path fill-rule='{word}' d='{paths}'/></svg>");
+            let expected = other_area(&rings, other);
+            let found = match super::super::svg::read(text.as_bytes()) {
+                Ok(outlines) => {
+                    let of_polygons = outlines.features.iter().flat_map(|feature| &feature.rings);
+                    let others = outlines.shapes.iter().flat_map(|shape| &shape.without_effect);
+                    let kept: Vec<DrawnRing> = of_polygons.chain(others).cloned().collect();
+                    let found = laid(&kept, outlines.shapes[0].rule);
+                    area(found.polygons.iter().map(|it| &*it.0))
+                }
+                // All is on a line.
+                Err(error) => {
+                    assert!(error.to_string().contains("line without area"), "{text}: {error}");
+                    0.0
+                }
+            };
+            assert!(
+                (found - expected).abs() <= 1e-7 * (1.0 + expected),
+                "{text}: {found}, {expected}"
+            );
+        }
+    }
+}
+
 /// A ring that runs counter-clockwise, or clockwise.
 fn turned(ring: &DrawnRing, is_left: bool) -> DrawnRing {
     let mut points = ring.flattened();

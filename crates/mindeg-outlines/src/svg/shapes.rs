@@ -8,6 +8,7 @@ use svgtypes::{Length, PointsParser};
 
 use super::super::curve::{EllipseArc, PieceCurve};
 use super::path::{Subpath, subpaths as of_path};
+use super::style::declarations;
 use super::transform::in_px;
 
 /// The subpaths of a shape; `None` for an element that holds others.
@@ -48,15 +49,17 @@ fn center(node: Node<'_, '_>) -> Result<DVec2, String> {
     Ok(DVec2::new(length("cx")?.unwrap_or(0.0), length("cy")?.unwrap_or(0.0)))
 }
 
-/// An attribute that is a length, in user units; `whole` is what shares are shares of.
+/// A length of an element, by `style` or an attribute, in user units; `whole` is what shares are shares of.
 pub(super) fn length(
     node: Node<'_, '_>,
     name: &str,
     whole: Option<f64>,
 ) -> Result<Option<f64>, String> {
-    let Some(text) = node.attribute(name).filter(|text| text.trim() != "auto") else {
-        return Ok(None);
-    };
+    // Viewers pass over lengths without a unit in a style.
+    let is_bare = |text: &str| text.parse::<f64>().is_ok_and(|it| it != 0.0);
+    let of_style = declarations(node).rev().find(|&(own, value)| own == name && !is_bare(value));
+    let text = of_style.map(|(_, value)| value).or(node.attribute(name));
+    let Some(text) = text.filter(|text| text.trim() != "auto") else { return Ok(None) };
     let length: Length = text.trim().parse().map_err(|error| format!("{name}: {error}"))?;
     let px = in_px(length, whole);
     px.ok_or_else(|| format!("{name}=\"{text}\" depends on something else; give a number"))

@@ -90,13 +90,12 @@ impl Style {
             }
         }
         // Declarations of `style` outrank the attributes.
-        for declaration in node.attribute("style").unwrap_or_default().split(';') {
-            if let Some((name, value)) = declaration.split_once(':') {
-                style.set(name.trim(), value.trim().trim_end_matches("!important"))?;
-            }
+        for (name, value) in declarations(node) {
+            style.set(name, value)?;
         }
         if let Some(unread) = &style.own.unread {
-            return Err(format!("{unread} is not read; write it as transform=\"…\""));
+            let attribute = if unread == "d" { "d" } else { "transform" };
+            return Err(format!("{unread} is not read; write it as {attribute}=\"…\""));
         }
         let own = style.own.transform;
         let origin = match &style.own.origin {
@@ -131,7 +130,7 @@ impl Style {
             ("transform", _) => own.transform = transform::of_style(value)?,
             ("transform-origin", _) => own.origin = Some(value.to_owned()),
             ("transform-box", "view-box") | ("translate" | "rotate" | "scale", "none") => {}
-            ("transform-box" | "translate" | "rotate" | "scale", _) => {
+            ("transform-box" | "translate" | "rotate" | "scale" | "d", _) => {
                 own.unread = Some(name.to_owned())
             }
             _ => {}
@@ -145,4 +144,40 @@ impl Style {
         let id = FuncIRI::from_str(text).map(|iri| iri.0);
         Some(id.map_err(|_| format!("clip-path={} is not read", quoted(text))))
     }
+}
+
+/// The declarations of an element's `style`.
+pub(super) fn declarations<'a>(
+    node: Node<'a, '_>,
+) -> impl DoubleEndedIterator<Item = (&'a str, &'a str)> {
+    let all = node.attribute("style").unwrap_or_default().split(';');
+    all.filter_map(|declaration| declaration.split_once(':'))
+        .map(|(name, value)| (name.trim(), value.trim().trim_end_matches("!important").trim()))
+}
+
+/// A property that a style sheet gives shapes and that changes where they are or whether they are shown.
+pub(super) fn decisive(sheet: &str) -> Option<String> {
+    let mut rest = sheet;
+    let mut text = String::new();
+    while let Some((before, comment)) = rest.split_once("/*") {
+        text.push_str(before);
+        rest = comment.split_once("*/").map_or("", |(_, after)| after);
+    }
+    text.push_str(rest);
+    text.split(['{', '}', ';']).find_map(|declaration| {
+        let (name, value) = declaration.split_once(':')?;
+        let (name, value) = (name.trim(), value.trim().trim_end_matches("!important").trim());
+        let is_decisive = match name {
+            "display" => value == "none",
+            "visibility" => value != "visible",
+            "transform" | "translate" | "rotate" | "scale" | "clip-path" | "mask" => {
+                value != "none"
+            }
+            "fill-rule" | "clip-rule" => value == "evenodd",
+            "opacity" => value.trim_end_matches('%').parse() == Ok(0.0),
+            "d" | "x" | "y" | "width" | "height" | "cx" | "cy" | "r" | "rx" | "ry" => true,
+            _ => false,
+        };
+        is_decisive.then(|| format!("{name}: {value}"))
+    })
 }

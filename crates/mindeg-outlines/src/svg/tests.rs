@@ -101,7 +101,7 @@ fn names_and_what_is_left_out_are_said() {
     assert_eq!(
         outlines.notes,
         [
-            "left out 1 <text>, 1 <use>, 1 hidden element, 1 line without area, 1 open line, 1 shape with neither fill nor stroke"
+            "left out 1 <text>, 1 <use>, 1 hidden element, 1 line without area, 1 open line, 1 shape with neither fill nor stroke, 1 shape without extent"
         ]
     );
 }
@@ -357,4 +357,72 @@ fn a_switch_shows_its_first_child_that_applies() {
     ] {
         assert_eq!(areas(&format!("<switch>{children}</switch>")), [area], "{children}");
     }
+}
+
+#[test]
+fn lengths_in_a_style_are_lengths() {
+    let expected = ring("<rect x='1' width='10' height='20'/>");
+    for style in ["x:1px;width:10px;height:20px", "x: 1px; width: 3px; width: 10px; height: 20px"] {
+        assert_eq!(ring(&format!("<rect width='9' style='{style}'/>")), expected, "{style}");
+    }
+    // Without a unit viewers take the attribute.
+    assert_eq!(ring("<rect x='1' width='10' height='20' style='width:5'/>"), expected);
+    assert!((ring("<circle style='r:2px'/>").doubled_area().abs() - 25.0).abs() < 0.2);
+    for (body, said) in [
+        ("<rect style='width:50%' height='1'/>", "width=\"50%\" depends on something else"),
+        ("<path style='d:path(&quot;M0 0h1v1z&quot;)'/>", "d is not read; write it as d=\"…\""),
+    ] {
+        let error = read(body).unwrap_err();
+        assert!(error.contains(said), "{body}: {error}");
+    }
+    let outlines = read("<rect width='1' height='1'/><rect width='5'/>").unwrap();
+    assert_eq!(outlines.notes, ["left out 1 shape without extent"]);
+}
+
+#[test]
+fn style_sheets_that_move_or_hide_shapes_are_refused() {
+    let rect = "<rect class='a' width='1' height='1'/>";
+    for (sheet, said) in [
+        (".a{transform:scale(3)}", "\"transform: scale(3)\""),
+        (".b{fill:red;/* display:none */display : none !important}", "\"display: none\""),
+        ("@media print{rect{width:2px}}", "\"width: 2px\""),
+        ("rect{fill-rule:evenodd}", "\"fill-rule: evenodd\""),
+    ] {
+        for body in [
+            format!("<style>{sheet}</style>{rect}"),
+            format!("<defs><style>{sheet}</style></defs>{rect}"),
+        ] {
+            let error = read(&body).unwrap_err();
+            assert!(error.starts_with("line 2: <style>: the style sheet sets "), "{error}");
+            assert!(error.contains(said), "{error}");
+        }
+    }
+    let sheet = ".a{fill:none;stroke-width:2px;display:inline;transform:none} a:hover{fill:red}";
+    let outlines = read(&format!("<style>{sheet}</style>{rect}")).unwrap();
+    assert_eq!(
+        (outlines.features.len(), &*outlines.notes),
+        (1, &["left out 1 style sheet".to_owned()][..])
+    );
+}
+
+#[test]
+fn shapes_that_cross_themselves_are_shapes_whatever_their_area_with_signs() {
+    let area = |body: &str| {
+        let repaired = read(body).unwrap().repaired(None).unwrap();
+        let of = |ring: &DrawnRing| ring.doubled_area().abs() / 2.0;
+        let rings = repaired
+            .features
+            .iter()
+            .map(|it| of(&it.rings[0]) - it.rings[1..].iter().map(of).sum::<f64>());
+        rings.sum::<f64>()
+    };
+    let bow = "M0 0L4 4L4 0L0 4Z";
+    for (body, expected) in [
+        (format!("<path d='{bow}'/>"), 8.0),
+        (format!("<path d='{bow}'/><path d='M10 0h4v4h-4z'/>"), 24.0),
+    ] {
+        assert!((area(&body) - expected).abs() < 1e-4, "{body}: {}", area(&body));
+    }
+    let error = read("<path d='M0 0L4 4L2 2Z'/>").unwrap_err();
+    assert!(error.contains("only 1 line without area"), "{error}");
 }
