@@ -137,6 +137,11 @@ pub(crate) fn counted(arguments: &CountsArguments) -> Result<Counted, Failure> {
         }
         Some(Counts::Given(counts)) => return Ok(Counted::Counts(counts.clone())),
         Some(Counts::Domain(path)) => in_file(path, options, Wanted::Domain, &Bar::new(true))?,
+        // The counts of sides that nothing else describes.
+        None if options.are_counts() => {
+            let counts = options.intervals.iter().flat_map(|counts| counts.0.iter().copied());
+            return Ok(Counted::Counts(counts.collect()));
+        }
         None => Subject::Domain(Box::new(from_options(options)?)),
     };
     Ok(Counted::Subject(subject))
@@ -222,7 +227,8 @@ pub(crate) fn opened(
             let domain = domain.map_err(|error| {
                 let is_mended = !repair && Domain::from_json_noded(&text).is_ok();
                 let hint = "; --repair gives lines that cross a point there";
-                bad(&format!("{error}{}", if is_mended { hint } else { "" }))
+                let message = format!("{name}: {error}{}", if is_mended { hint } else { "" });
+                Failure::Domain { message, error: Box::new(error) }
             })?;
             let projection = domain.projection().copied();
             let domain = domain

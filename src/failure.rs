@@ -1,6 +1,7 @@
 //! The failures of a run, and its exit code.
 
 use crate::terminal::say_error;
+use mindeg::DomainJsonError;
 use mindeg_files::{FileError, plainly};
 use std::fmt::Display;
 use std::io;
@@ -13,6 +14,8 @@ pub(crate) enum Failure {
     Io(String),
     /// The input is not what it must be: exit code 2, as for wrong usage.
     Input(String),
+    /// The same, for a domain in JSON, with all its faults.
+    Domain { message: String, error: Box<DomainJsonError> },
     /// The mesh is not as good as asked for: exit code 3.
     Gate(String),
     /// Whoever read our standard output has seen enough: exit code 0, in silence.
@@ -37,7 +40,10 @@ impl Failure {
     /// The error in words; `None` for a closed pipe.
     pub(crate) fn message(&self) -> Option<&str> {
         match self {
-            Self::Io(message) | Self::Input(message) | Self::Gate(message) => Some(message),
+            Self::Io(message)
+            | Self::Input(message)
+            | Self::Domain { message, .. }
+            | Self::Gate(message) => Some(message),
             Self::ClosedPipe => None,
         }
     }
@@ -47,6 +53,9 @@ impl Failure {
         match self {
             Self::Io(message) => Self::Io(format!("{name}: {message}")),
             Self::Input(message) => Self::Input(format!("{name}: {message}")),
+            Self::Domain { message, error } => {
+                Self::Domain { message: format!("{name}: {message}"), error }
+            }
             Self::Gate(message) => Self::Gate(format!("{name}: {message}")),
             Self::ClosedPipe => Self::ClosedPipe,
         }
@@ -60,7 +69,7 @@ impl Failure {
         ExitCode::from(match self {
             Self::ClosedPipe => 0,
             Self::Io(_) => 1,
-            Self::Input(_) => 2,
+            Self::Input(_) | Self::Domain { .. } => 2,
             Self::Gate(_) => 3,
         })
     }

@@ -86,7 +86,7 @@ pub(crate) fn summed_up(failures: Vec<Failure>, of: usize, what: &str) -> Result
     let is = |wanted: fn(&Failure) -> bool| failures.iter().any(wanted);
     Err(if is(|failure| matches!(failure, Failure::Io(_) | Failure::ClosedPipe)) {
         Failure::Io(message)
-    } else if is(|failure| matches!(failure, Failure::Input(_))) {
+    } else if is(|failure| matches!(failure, Failure::Input(_) | Failure::Domain { .. })) {
         Failure::Input(message)
     } else {
         Failure::Gate(message)

@@ -22,8 +22,8 @@ Examples:
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES, after_long_help = with_exit_codes(EXAMPLES))]
 pub(crate) struct CompareArguments {
-    /// Domains in JSON; - reads one from standard input
-    #[arg(id = "domain", value_name = "DOMAIN.json")]
+    /// Files of domains, as mindeg mesh takes them; - reads one from standard input
+    #[arg(id = "domain", value_name = "DOMAIN")]
     pub(crate) files: Vec<PathBuf>,
 
     #[command(flatten)]

@@ -13,10 +13,10 @@ Examples:
   mindeg degree 12,9,4,4
   mindeg degree assets/domains/wing-panel.json --json";
 
-/// Tell the least possible maximum degree from interval counts alone, and why it cannot be less
+/// Tell the least possible maximum degree, and why it cannot be less
 ///
 /// The degree of a vertex is the number of edges at it, boundary edges included (its valence).
-/// For a domain, also the minimum angle that no mesh with interior points can exceed, and what decides
+/// Interval counts alone are those of a convex outline. For a domain, also the minimum angle that no mesh with interior points can exceed, and what decides
 /// it.
 #[derive(Debug, Args)]
 #[command(after_help = DEGREE, after_long_help = with_exit_codes(DEGREE))]

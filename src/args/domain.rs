@@ -81,6 +81,13 @@ impl DomainOptions {
         words
     }
 
+    /// Whether there is nothing but interval counts, of an outline that is not told.
+    pub(crate) fn are_counts(&self) -> bool {
+        let has_outline = self.rectangle.is_some() || self.corners.is_some();
+        let is_placed = self.size.is_some() || self.spacing.is_some() || !self.periodic.is_empty();
+        self.intervals.is_some() && !has_outline && !is_placed
+    }
+
     /// Whether an option divides the sides.
     pub(crate) fn divides(&self) -> bool {
         self.intervals.is_some() || self.size.is_some() || self.spacing.is_some()

@@ -13,12 +13,12 @@ Examples:
   mindeg tradeoff --rectangle 4x3 --intervals 12,9,4,4 -o curve.html
   mindeg tradeoff assets/domains/dominated-side.json --limit 10";
 
-/// Tell how large the minimum angle can be for each maximum degree, exactly
+/// Tell how large the minimum angle can be for each maximum degree
 ///
 /// From the least possible degree up to the first one with the largest minimum angle of all,
 /// which is that of a Delaunay triangulation. The advised degree is the smallest
 /// that keeps 95% of that angle, as with mindeg mesh --keep-angle 95%. Degrees and
-/// degree limits are total: edges outside count. Up to 4096 boundary vertices.
+/// degree limits are total: edges outside count. Rows are exact where no hole is too much for that; the others say so. Up to 4096 boundary vertices.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES, after_long_help = with_exit_codes(EXAMPLES))]
 pub(crate) struct TradeoffArguments {

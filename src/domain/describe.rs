@@ -9,7 +9,7 @@ use crate::making::wrote;
 use crate::named_files::{is_pattern, names, prepare, summed_up};
 use crate::standard_output::{print, print_json};
 use crate::terminal::say;
-use mindeg::Domain;
+use mindeg::{Domain, DomainJsonError};
 use mindeg_answers::names::shown;
 use mindeg_answers::numbers::{four_digits, significant};
 use mindeg_files::{Outputs, Polygon, PolygonFile, Wanted, write_to};
@@ -23,8 +23,27 @@ struct Row {
     name: Option<String>,
     /// The reason why it is not a domain.
     error: Option<String>,
+    /// All faults of a domain in JSON.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    faults: Vec<Fault>,
     #[serde(flatten)]
     shape: Option<Shape>,
+}
+
+/// A fault of a domain in JSON, and where it is in the text.
+#[derive(Serialize)]
+struct Fault {
+    path: String,
+    line: usize,
+    column: usize,
+    message: String,
+}
+
+impl Fault {
+    fn of(error: &DomainJsonError) -> Self {
+        let DomainJsonError { path, line, column, message, .. } = error;
+        Self { path: path.clone(), line: *line, column: *column, message: message.clone() }
+    }
 }
 
 #[derive(Serialize)]
@@ -52,8 +71,15 @@ impl Shape {
 }
 
 pub(crate) fn run(arguments: &DescribeArguments) -> Result<(), Failure> {
-    let subject = subject(&arguments.domain, Wanted::Domain, &Bar::new(true))?;
-    match (subject, &arguments.output) {
+    let subject = subject(&arguments.domain, Wanted::Domain, &Bar::new(true));
+    if let Err(Failure::Domain { message, error }) = &subject
+        && arguments.json
+    {
+        let faults = std::iter::once(&**error).chain(&error.more).map(Fault::of).collect();
+        let (name, error) = (None, Some(message.clone()));
+        print_json(&[Row { index: 1, name, error, faults, shape: None }])?;
+    }
+    match (subject?, &arguments.output) {
         (Subject::Polygons(polygons), Some(path)) if is_pattern(path) => write_all(&polygons, path),
         (subject, Some(path)) => write(&subject.only()?, path),
         (subject, None) => show(&subject, arguments.json),
@@ -73,7 +99,13 @@ fn show(subject: &Subject, json: bool) -> Result<(), Failure> {
         Subject::Domain(domain) => {
             let name = domain.name().map(str::to_owned);
             (
-                vec![Row { index: 1, name, error: None, shape: Some(Shape::of(domain)) }],
+                vec![Row {
+                    index: 1,
+                    name,
+                    error: None,
+                    faults: Vec::new(),
+                    shape: Some(Shape::of(domain)),
+                }],
                 String::new(),
             )
         }
@@ -91,7 +123,7 @@ fn row(polygons: &PolygonFile, polygon: &Polygon) -> Row {
         Err(error) => (None, Some(error.to_string())),
     };
     let name = (!polygon.label.is_empty()).then(|| polygon.label.clone());
-    Row { index: polygon.index, name, error, shape }
+    Row { index: polygon.index, name, error, faults: Vec::new(), shape }
 }
 
 fn line(row: &Row) -> String {

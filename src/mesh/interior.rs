@@ -19,7 +19,7 @@ use mindeg_answers::interior::{
 };
 use mindeg_answers::limit::{Lifting, LimitAnswer};
 use mindeg_answers::names::{region_count, shown};
-use mindeg_answers::numbers::triangles;
+use mindeg_answers::numbers::{counted, triangles};
 use mindeg_answers::ocean::{DepthsAnswer, OpeningRow};
 use mindeg_answers::sizes::{coarse_sides, sizes};
 use mindeg_files::{Input, PolygonFile};
@@ -349,9 +349,12 @@ pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Res
         ocean,
     };
     let title = || {
-        let parts = if domains.len() == 1 { "part" } else { "parts" };
-        let name = shown(name.unwrap_or("map"));
-        format!("{name}: {regions} regions in {} {parts}", domains.len())
+        let parts = counted(domains.len() as u64, "part");
+        format!(
+            "{}: {} in {parts}",
+            shown(name.unwrap_or("map")),
+            counted(regions as u64, "region")
+        )
     };
     let said = || {
         words_on(conditioned.as_ref(), &shown(name.unwrap_or("map")))

@@ -1,6 +1,7 @@
 //! Why a domain cannot be meshed, in the words that a user reads.
 
-use crate::run::mindeg_reading;
+use crate::run::{mindeg, mindeg_reading};
+use serde_json::{Value, json};
 
 /// The message of `mindeg mesh` about a domain on standard input, without its start.
 #[track_caller]
@@ -44,4 +45,42 @@ fn degree_limits_that_conflict_are_named_by_their_vertices() {
     run.refuses(&[
         "no mesh keeps the degree limits of vertices 0 and 3 together; raise max_degree",
     ]);
+}
+
+#[test]
+fn all_faults_of_rings_are_told() {
+    let domain = r#"{"ring": [[0, 0], [10, 0], [10, 10], [0, 10]],
+ "holes": [{"ring": [[1, 1], [3, 3], [3, 1], [1, 3]]}, {"ring": [[5, 5], [7, 7], [7, 5], [5, 7]]},
+  {"ring": [[12, 12], [13, 12], [13, 13]]},
+  {"ring": [[8, 8], [12, 8], [12, 9], [8, 9]]}]}"#;
+    let said = refused(domain);
+    assert!(said.starts_with("line 2, column "), "{said}");
+    for fault in [
+        "edge 1 of hole 1 and edge 3 of hole 1 cross",
+        "; also, edge 1 of hole 2 and edge 3 of hole 2 cross",
+        "; also, edge 2 and edge 1 of hole 4 cross",
+        "; also, hole 3 lies outside the outline",
+    ] {
+        assert!(said.contains(fault), "{said}");
+    }
+    let run = mindeg_reading(["domain", "-", "--json"], domain.as_bytes());
+    assert_eq!(run.code, Some(2), "{run:?}");
+    let rows: Value = serde_json::from_str(run.text()).expect("JSON");
+    let faults = rows[0]["faults"].as_array().expect("a list");
+    let places: Vec<_> = faults.iter().map(|fault| (&fault["path"], &fault["line"])).collect();
+    assert_eq!(places.len(), 5, "{rows:#}");
+    for (path, line) in
+        [("holes[0].ring[2]", 2), ("holes[1].ring[2]", 2), ("holes[2]", 3), ("holes[3].ring[2]", 4)]
+    {
+        assert!(places.contains(&(&json!(path), &json!(line))), "{path}: {places:?}");
+    }
+}
+
+#[test]
+fn interval_counts_by_option_are_interval_counts() {
+    for command in ["degree", "suggest"] {
+        let [typed, option] = [&["3,4,5"][..], &["--intervals", "3,4,5"]]
+            .map(|counts| mindeg([command].iter().chain(counts)).text().to_owned());
+        assert_eq!(typed, option);
+    }
 }

@@ -164,3 +164,15 @@ fn a_buffer_that_is_named_twice_is_read_once() {
     fs::write(folder.path().join("a.gltf"), document).expect("a file");
     is_refused(folder.path(), "inspect a.gltf", "named a second time");
 }
+
+#[cfg(target_os = "linux")]
+#[test]
+fn what_never_ends_is_refused_in_little_memory() {
+    let folder = tempfile::tempdir().expect("a folder");
+    std::os::unix::fs::symlink("/dev/zero", folder.path().join("z.json")).expect("a link");
+    for command in
+        ["domain z.json", "degree z.json", "mesh z.json -q -o x.obj", "domain - < /dev/zero"]
+    {
+        is_refused(folder.path(), command, "its first 4096 bytes are 0");
+    }
+}

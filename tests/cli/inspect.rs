@@ -460,3 +460,16 @@ fn the_same_file_gives_the_same_bytes() {
         assert_eq!(one, other);
     }
 }
+
+#[test]
+fn a_format_that_the_content_told_is_named_with_its_fault() {
+    let ele = "6 3 0\n 1 1 2 8\n 2 2 7 8\n 3 2 3 7\n 4 3 6 7\n 5 3 4 6\n 6 4 5 6\n";
+    let run = mindeg_reading(["inspect", "-"], ele.as_bytes());
+    run.refuses(&[
+        "standard input: line ",
+        "; the content looks like ",
+        "if it is another format, give --format",
+    ]);
+    let told = mindeg_reading(["inspect", "-", "--format", "off"], ele.as_bytes());
+    assert!(!told.errors.contains("looks like"), "{}", told.errors);
+}

@@ -452,3 +452,28 @@ fn limits_of_single_vertices_are_kept() {
         .refuses(&["keeps the degree limits of single vertices"]);
     assert!(!at("none.obj").exists());
 }
+
+#[test]
+fn a_map_has_the_name_of_its_file_with_and_without_points_inside() {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/outlines/two-materials.geojson");
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("x.obj").display().to_string();
+    for option in ["--quiet", "--interior"] {
+        let found = crate::run::mindeg(["mesh", file, "-o", &out, "--json", option]).json();
+        assert_eq!(found["name"], "two-materials", "{option}");
+    }
+}
+
+#[test]
+fn one_region_is_one_region() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = |name: &str| folder.path().join(name).display().to_string();
+    std::fs::write(at("a.svg"), "<svg><path id='c' d='M0 0h2v2h-2zM4 0h2l-2 2z'/></svg>")
+        .expect("a file");
+    let run = crate::run::mindeg(["mesh", &at("a.svg"), "-o", &at("a.obj")]);
+    assert!(run.errors.contains("a: 1 region in 2 parts: "), "{}", run.errors);
+    std::fs::write(at("t.svg"), "<svg><path d='M0 0h2v2z'/></svg>").expect("a file");
+    assert_eq!(crate::run::mindeg(["mesh", &at("t.svg"), "-o", &at("t.obj")]).code, Some(0));
+    let obj = std::fs::read_to_string(at("t.obj")).expect("a mesh");
+    assert!(obj.contains("\n# 3 vertices, 1 triangle, maximum degree 2\n"), "{obj}");
+}

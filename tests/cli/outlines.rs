@@ -393,7 +393,7 @@ fn mistakes_are_named_with_what_to_do() {
     // mindeg mesh takes faces as a model.
     let mesh = at("mesh.obj");
     mindeg(["degree".as_ref(), mesh.as_os_str()]).refuses(&[
-        "mesh.obj: the file has faces, so it is a mesh; mindeg view, inspect and convert take meshes",
+        "mesh.obj: the file has faces, so it is a model or a mesh: mindeg mesh meshes its faces and tells their least degree",
     ]);
 }
 

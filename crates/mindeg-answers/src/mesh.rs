@@ -8,7 +8,7 @@ use mindeg_mesh::quality::TriangleQuality;
 use serde::Serialize;
 
 use crate::names::{part_name, region_count, shown};
-use crate::numbers::{self, percent, steady_angle};
+use crate::numbers::{self, counted, percent, steady_angle};
 
 /// A mesh of boundary points; angles are in degrees. Degrees are total: edges outside the domain count.
 #[derive(Clone, Debug, Serialize)]
@@ -160,7 +160,9 @@ pub fn mesh_beside(found: &MeshBeside, answer: &MeshBesideAnswer, goal: Goal) ->
     );
     let count = parts.len();
     let name = shown(all.name.as_deref().unwrap_or("map")).into_owned();
-    let mut lines = vec![format!("{name}: {regions} regions in {count} parts: {size}")];
+    let regions = counted(*regions as u64, "region");
+    let in_parts = counted(count as u64, "part");
+    let mut lines = vec![format!("{name}: {regions} in {in_parts}: {size}")];
     let highest = (0..count).rev().max_by_key(|&part| parts[part].max_degree);
     lines.extend(highest.and_then(|part| {
         let meshed = found.parts.get(part)?;

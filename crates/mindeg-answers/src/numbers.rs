@@ -118,9 +118,21 @@ pub fn percent(share: f64) -> String {
 /// ```
 #[must_use]
 pub fn triangles(count: impl Into<u64>) -> String {
+    counted(count, "triangle")
+}
+
+/// How many of something, with the word for one or many.
+///
+/// ```
+/// use mindeg_answers::numbers::counted;
+///
+/// assert_eq!([1_u32, 2].map(|count| counted(count, "region")), ["1 region", "2 regions"]);
+/// ```
+#[must_use]
+pub fn counted(count: impl Into<u64>, noun: &str) -> String {
     match count.into() {
-        1 => "1 triangle".to_owned(),
-        count => format!("{count} triangles"),
+        1 => format!("1 {noun}"),
+        count => format!("{count} {noun}s"),
     }
 }
 

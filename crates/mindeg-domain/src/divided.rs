@@ -152,7 +152,7 @@ impl Divided {
         let slices: Vec<&[DVec2]> = rings.rings().map(of_ring).collect();
         let joined = Joined::new(&points, inside)?;
         let (boundary, turned) = PlanarBoundary::map(&slices, &joined.points, &joined.lines)
-            .map_err(|faults| intersection::error(faults.first(), &points, &rings, &joined))?;
+            .map_err(|faults| intersection::errors(&faults, &points, &rings, &joined))?;
         let of_sides = |ring| rings.ring_sides(ring).map(|side| u64::from(rings.intervals(side)));
         let mut intervals: Vec<Vec<u64>> =
             (0..rings.ring_count()).map(|ring| of_sides(ring).collect()).collect();

@@ -20,7 +20,7 @@ use mindeg_mesh::planar::InRing;
 /// assert_eq!(error.message, "side 3: the size is 0.0; it must be a finite number above 0");
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{message}")]
+#[error("{message}{}", also(more.iter().map(|it| &*it.message)))]
 #[non_exhaustive]
 pub struct DomainError {
     /// The place of the error in the description.
@@ -29,6 +29,8 @@ pub struct DomainError {
     pub message: String,
     /// Whether points or edges meet that should be apart; a repair of the rings may fix it.
     pub is_touch: bool,
+    /// The other faults of the rings, lines and points.
+    pub more: Vec<DomainError>,
 }
 
 /// A value in a description: the keys and indices from 0 that lead to it in JSON; empty for the whole.
@@ -103,7 +105,7 @@ impl Place {
 
     /// A fault of this value.
     pub(crate) fn error(self, message: impl Into<String>) -> DomainError {
-        DomainError { place: self, message: message.into(), is_touch: false }
+        DomainError { place: self, message: message.into(), is_touch: false, more: Vec::new() }
     }
 
     /// Points or edges that meet.
@@ -115,8 +117,9 @@ impl Place {
 impl DomainError {
     /// The same error, seen from the value that contains this one.
     pub(crate) fn inside(mut self, mut whole: Place) -> Self {
+        let more = self.more.into_iter().map(|error| error.inside(whole.clone())).collect();
         whole.0.append(&mut self.place.0);
-        Self { place: whole, ..self }
+        Self { place: whole, more, ..self }
     }
 
     /// As [`inside`](Self::inside); the message also names the outer value first.
@@ -133,4 +136,19 @@ impl DomainError {
 /// A count in words: "1 side", "2 sides".
 pub(crate) fn counted(count: usize, noun: &str) -> String {
     format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
+}
+
+/// Other faults in words, after the first: a few, without what to do about them.
+pub(crate) fn also<'a>(messages: impl ExactSizeIterator<Item = &'a str>) -> String {
+    /// The most that are told.
+    const SHOWN: usize = 4;
+    let more = messages.len().saturating_sub(SHOWN);
+    let mut text: String = messages
+        .take(SHOWN)
+        .map(|message| format!("; also, {}", message.split("; ").next().unwrap_or(message)))
+        .collect();
+    if more > 0 {
+        text += &format!("; and {more} more");
+    }
+    text
 }

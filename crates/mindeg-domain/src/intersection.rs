@@ -1,22 +1,26 @@
 //! Rings that are not simple, not apart, or not holes of the outer ring: the place, and a remedy.
-//!
-//! Limits: reports only the leftmost of several faults.
 
 use glam::DVec2;
 use mindeg_mesh::planar::BoundaryPlace::Ring;
-use mindeg_mesh::planar::{BoundaryFault, BoundaryPlace, InRing};
+use mindeg_mesh::planar::{BoundaryFault, BoundaryFaults, BoundaryPlace, InRing};
 
 use crate::error::{DomainError, Place};
 use crate::joined::Joined;
 use crate::rings::Rings;
 
-/// The error for a fault of the rings of points, by the sides that they are on.
-pub(crate) fn error(
-    fault: BoundaryFault,
+/// The error for the faults of the rings of points, by the sides that they are on: the first, with all others.
+pub(crate) fn errors(
+    faults: &BoundaryFaults,
     points: &[DVec2],
     rings: &Rings,
     joined: &Joined,
 ) -> DomainError {
+    let error = |&fault: &BoundaryFault| error(fault, points, rings, joined);
+    let more = faults.list().iter().skip(1).map(error).collect();
+    DomainError { more, ..error(&faults.first()) }
+}
+
+fn error(fault: BoundaryFault, points: &[DVec2], rings: &Rings, joined: &Joined) -> DomainError {
     if let Some(error) = of_line(fault, points, rings, joined) {
         return error;
     }
@@ -269,7 +273,7 @@ mod tests {
             (holes(&[triangle(7.5, 2.0)]), "interval 1 of side 2 and side 1 of hole 1 cross near (8.0, 2.0); list the points in the order in which they lie around the domain, and keep rings apart"),
         ];
         for (outcome, message) in table {
-            assert_eq!(outcome.unwrap_err().to_string(), message);
+            assert_eq!(outcome.unwrap_err().message, message);
         }
     }
 }

@@ -15,8 +15,10 @@ use crate::limits::{GREATEST_COORDINATE, LEAST_ROUNDINGS, LEAST_SIDE};
 #[cfg_attr(feature = "json", serde(deny_unknown_fields))]
 pub struct Rectangle {
     /// The length of bottom and top, above 0.
+    #[cfg_attr(feature = "json", schemars(extend("exclusiveMinimum" = 0)))]
     pub width: f64,
     /// The length of left and right, above 0.
+    #[cfg_attr(feature = "json", schemars(extend("exclusiveMinimum" = 0)))]
     pub height: f64,
     /// The corner where the bottom starts.
     #[cfg_attr(

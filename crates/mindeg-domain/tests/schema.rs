@@ -68,3 +68,52 @@ fn the_pages_have_every_key_and_no_other() {
         assert_eq!(page, expected, "run this test with MINDEG_BLESS=1");
     }
 }
+
+/// Rings of two points, rectangles of no width and sizes that are none are refused by the schema and by the reader.
+#[test]
+fn the_schema_has_the_bounds_of_the_reader() {
+    let schema: Value = serde_json::from_str(&DomainDescription::schema()).unwrap();
+    let square = json!([[0, 0], [9, 0], [9, 9], [0, 9]]);
+    for (keys, bound, value, wrong) in [
+        ("/properties/ring", "minItems", 3, json!({"ring": [[0, 0], [1, 0]]})),
+        (
+            "/properties/size",
+            "exclusiveMinimum",
+            0,
+            json!({"polygon": {"corners": square}, "size": -1}),
+        ),
+        (
+            "/$defs/Polygon/properties/corners",
+            "minItems",
+            1,
+            json!({"polygon": {"corners": []}, "size": 1}),
+        ),
+        (
+            "/$defs/Hole/properties/ring",
+            "minItems",
+            3,
+            json!({"ring": square, "holes": [{"ring": [[1, 1], [2, 2]]}]}),
+        ),
+        (
+            "/$defs/Hole/properties/size",
+            "exclusiveMinimum",
+            0,
+            json!({"ring": square, "holes": [{"corners": [[1, 1], [2, 1], [2, 2]], "size": 0}]}),
+        ),
+        (
+            "/$defs/Rectangle/properties/width",
+            "exclusiveMinimum",
+            0,
+            json!({"rectangle": {"width": 0, "height": 1}, "size": 1}),
+        ),
+        (
+            "/$defs/Rectangle/properties/height",
+            "exclusiveMinimum",
+            0,
+            json!({"rectangle": {"width": 1, "height": -1}, "size": 1}),
+        ),
+    ] {
+        assert_eq!(schema.pointer(keys).unwrap()[bound], value, "{keys}");
+        assert!(mindeg_domain::Domain::from_json(&wrong.to_string()).is_err(), "{wrong}");
+    }
+}

@@ -1,5 +1,6 @@
 //! Why a file cannot be read or written.
 
+use mindeg_formats::Format;
 use std::error::Error;
 use std::fmt;
 use std::io;
@@ -32,6 +33,16 @@ impl FileError {
     #[must_use]
     pub fn kind(&self) -> Option<io::ErrorKind> {
         self.kind
+    }
+
+    /// The same error where the content alone told the format.
+    pub(crate) fn guessed(self, format: Format, option: &str) -> Self {
+        let Self { message, kind } = self;
+        let (name, other) = (format.name(), "if it is another format");
+        Self {
+            message: format!("{message}; the content looks like {name}: {other}, give {option}"),
+            kind,
+        }
     }
 
     /// The same error of something with a name.

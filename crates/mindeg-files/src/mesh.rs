@@ -57,7 +57,8 @@ impl Session {
         if bytes.trim_ascii().is_empty() {
             return Err(FileError::wrong(format!("{name} is empty; a mesh is expected")));
         }
-        let Some(format) = format.or_else(|| Format::of_all(bytes)) else {
+        let told = format;
+        let Some(format) = told.or_else(|| Format::of_all(bytes)) else {
             let names: Vec<&str> = Format::READ.into_iter().map(Format::name).collect();
             let (option, names) = (self.option("format"), names.join(", "));
             let problem =
@@ -75,7 +76,10 @@ impl Session {
             Input::File(_) => beside.read(name).map_err(plain),
             alone => Err(io::Error::new(ErrorKind::InvalidInput, alone.alone())),
         });
-        mesh.map_err(|error| failed(&name, path, error))
+        mesh.map_err(|error| {
+            let error = failed(&name, path, error);
+            if told.is_some() { error } else { error.guessed(format, &self.option("format")) }
+        })
     }
 }
 

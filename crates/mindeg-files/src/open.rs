@@ -5,11 +5,11 @@ use crate::error::{FileError, plain};
 use crate::input::Input;
 use crate::kind::{Kind, Wanted, kind, mesh_format, no_mesh};
 use crate::polygons::{PolygonFile, ReadOptions};
-use crate::session::Session;
+use crate::session::{Session, whole};
 use mindeg_domain::Model;
 use mindeg_mesh::{Progress, TriMesh};
 use mindeg_outlines::{self as outlines, OutlineFormat};
-use std::fs;
+use std::fs::File;
 use std::io;
 use std::path::Path;
 
@@ -89,7 +89,7 @@ impl Session {
                 match wanted {
                     Wanted::Model => Ok(Content::Model(text)),
                     _ => Err(wrong(
-                        "it is a whole model, which mindeg mesh takes; a domain is expected"
+                        "it is a whole model: mindeg mesh meshes its faces and tells their least degree; a domain is expected"
                             .to_owned(),
                     )),
                 }
@@ -104,11 +104,17 @@ impl Session {
         what: &'static str,
     ) -> Result<Vec<u8>, FileError> {
         let bytes = match input {
-            Input::File(path) => fs::read(path),
+            Input::File(path) => File::open(path).and_then(|file| {
+                let is_file = file.metadata()?.is_file();
+                whole(file, is_file)
+            }),
             Input::StandardInput => self.standard_input(what),
             Input::Bytes(_, bytes) => Ok(bytes.to_vec()),
         };
-        bytes.map_err(|error| FileError::cannot_read(&input.name(), &error))
+        bytes.map_err(|error| match error.kind() {
+            io::ErrorKind::InvalidData => FileError::wrong(format!("{}: {error}", input.name())),
+            _ => FileError::cannot_read(&input.name(), &error),
+        })
     }
 
     fn polygons(

@@ -201,7 +201,14 @@ impl PolygonFile {
                 let domain = with_kinds(with_periodic_sides(domain, &self.periodic)?, &self.kinds)?;
                 Ok::<Domain, OutlineError>(domain.with_projection(self.projection))
             });
-            Ok((domains.collect::<Result<_, _>>()?, notes))
+            let mut domains: Vec<Domain> = domains.collect::<Result<_, _>>()?;
+            // A map in one part is that of the file.
+            if let ([map], Some(name)) = (&mut domains[..], self.name())
+                && map.name().is_none()
+            {
+                *map = map.clone().named(name)?;
+            }
+            Ok((domains, notes))
         });
         maps.map_err(|error| {
             let hint = if error.is_touch && !self.is_repaired {

@@ -75,15 +75,20 @@ impl Session {
 
     /// All of standard input, which is noted as a `what`.
     pub(crate) fn standard_input(&self, what: &'static str) -> io::Result<Vec<u8>> {
+        let stdin = io::stdin().lock();
         #[cfg(unix)]
-        if let Some(metadata) = stream_metadata(&io::stdin()) {
-            self.note_file(STANDARD_INPUT.to_owned(), what, Path::new("-"), &metadata);
-        }
+        let metadata = stream_metadata(&stdin);
         #[cfg(not(unix))]
-        self.inputs().push(Noted { name: STANDARD_INPUT.to_owned(), what, identity: None });
-        let mut bytes = Vec::new();
-        io::stdin().lock().read_to_end(&mut bytes)?;
-        Ok(bytes)
+        let metadata: Option<Metadata> = None;
+        match &metadata {
+            Some(metadata) => {
+                self.note_file(STANDARD_INPUT.to_owned(), what, Path::new("-"), metadata);
+            }
+            None => {
+                self.inputs().push(Noted { name: STANDARD_INPUT.to_owned(), what, identity: None });
+            }
+        }
+        whole(stdin, metadata.is_some_and(|it| it.is_file()))
     }
 
     fn note_file(&self, name: String, what: &'static str, path: &Path, metadata: &Metadata) {
@@ -166,4 +171,54 @@ fn identity(path: &Path, _: &Metadata) -> Option<Identity> {
 fn stream_metadata(stream: &impl std::os::fd::AsFd) -> Option<Metadata> {
     let descriptor = stream.as_fd().try_clone_to_owned().ok()?;
     fs::File::from(descriptor).metadata().ok()
+}
+
+/// The most bytes that are read of what has no length of its own, such as a pipe or a device: it may never end.
+const MOST_WITHOUT_LENGTH: u64 = 1 << 30;
+
+/// All bytes of a source: of what may never end no more than a gigabyte, and none where it begins as no file does.
+pub(crate) fn whole(mut source: impl Read, is_file: bool) -> io::Result<Vec<u8>> {
+    if !is_file {
+        return at_most(source, MOST_WITHOUT_LENGTH);
+    }
+    let mut bytes = Vec::new();
+    source.read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+fn at_most(mut source: impl Read, most: u64) -> io::Result<Vec<u8>> {
+    /// No format begins with so many zeros.
+    const BEGIN: u64 = 4096;
+    let mut bytes = Vec::new();
+    source.by_ref().take(BEGIN).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 == BEGIN && bytes.iter().all(|&byte| byte == 0) {
+        return Err(no_file(format!("its first {BEGIN} bytes are 0; it is no text and no mesh")));
+    }
+    source.take((most + 1).saturating_sub(BEGIN)).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > most {
+        return Err(no_file(format!(
+            "it goes on after {most} bytes, the most that are read of a pipe or a device; save it as a file"
+        )));
+    }
+    Ok(bytes)
+}
+
+/// An error of the content, and not of the system.
+fn no_file(problem: String) -> io::Error {
+    io::Error::new(io::ErrorKind::InvalidData, problem)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_never_ends_is_refused() {
+        let error = |source: io::Repeat| at_most(source, 1 << 16).unwrap_err().to_string();
+        assert!(error(io::repeat(0)).starts_with("its first 4096 bytes are 0"));
+        assert!(error(io::repeat(b'1')).starts_with("it goes on after 65536 bytes"));
+        for len in [0, 1, 4095, 4097, 1 << 16] {
+            assert_eq!(at_most(io::repeat(b' ').take(len), 1 << 16).unwrap().len() as u64, len);
+        }
+    }
 }

@@ -62,8 +62,8 @@ pub(super) fn read_msh(bytes: &[u8]) -> Result<Outlines, OutlineError> {
 pub(super) fn read_obj(bytes: &[u8]) -> Result<Outlines, OutlineError> {
     let file = obj::read_lines(bytes)?;
     if file.others > 0 {
-        let problem = "the file has faces, so it is a mesh; mindeg view, inspect and convert take \
-                       meshes; keep only its v and l lines to mesh the outline";
+        let problem = "the file has faces, so it is a model or a mesh: mindeg mesh meshes its faces and tells their \
+                       least degree, and inspect, view and convert take meshes; keep only its v and l lines for an outline";
         return Err(OutlineError::place("", problem));
     }
     if file.segments.is_empty() {

@@ -12,6 +12,7 @@ use mindeg::interior::{BoundaryDemands, condition};
 use mindeg::{Domain as Inner, DomainJsonError, Positions, exact};
 use mindeg_answers::advice::{Advice, AdviceAnswer, Purpose};
 use mindeg_answers::condition::ConditionAnswer;
+use mindeg_answers::numbers::counted;
 use mindeg_mesh::filled;
 use numpy::PyArray2;
 use pyo3::prelude::*;
@@ -178,10 +179,10 @@ impl Domain {
 
     fn __repr__(&self) -> String {
         format!(
-            "<mindeg.Domain {}{} vertices, {} sides>",
+            "<mindeg.Domain {}{} vertices, {}>",
             self.inner.name().map(|name| format!("{name}: ")).unwrap_or_default(),
             self.inner.placement().vertex_count(),
-            self.inner.sides().len(),
+            counted(self.inner.sides().len() as u64, "side"),
         )
     }
 }

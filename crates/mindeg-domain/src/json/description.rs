@@ -45,12 +45,13 @@ pub struct DomainDescription {
     polygon: Option<Polygon>,
     /// The outline as all its points, `[x, y]`, which come back bit for bit. They are one side; `sides`
     /// may have one entry with its name, kind and degrees
-    #[schemars(with = "Option<Vec<[f64; 2]>>")]
+    #[schemars(with = "Option<Vec<[f64; 2]>>", extend("minItems" = 3))]
     ring: Option<Vec<DVec2>>,
     /// One entry for each side, from the first corner on; may be left out where `size` says it all
     sides: Option<Vec<SideKeys>>,
     /// The target interval length of every side that gives neither `intervals` nor `size` nor its own
     /// points
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub(super) size: Option<f64>,
     /// Rings inside the outline and apart from each other
     holes: Option<Vec<Hole>>,
@@ -75,7 +76,7 @@ pub struct DomainDescription {
 struct Polygon {
     /// `[x, y]` of each corner around the polygon, either way round; one or two are enough where sides
     /// are curved
-    #[schemars(with = "Vec<[f64; 2]>")]
+    #[schemars(with = "Vec<[f64; 2]>", extend("minItems" = 1))]
     corners: Vec<DVec2>,
 }
 
@@ -84,14 +85,15 @@ struct Polygon {
 #[serde(deny_unknown_fields)]
 struct Hole {
     /// `[x, y]` of each corner, either way round
-    #[schemars(with = "Option<Vec<[f64; 2]>>")]
+    #[schemars(with = "Option<Vec<[f64; 2]>>", extend("minItems" = 1))]
     corners: Option<Vec<DVec2>>,
     /// Instead: all points of the hole, as one side
-    #[schemars(with = "Option<Vec<[f64; 2]>>")]
+    #[schemars(with = "Option<Vec<[f64; 2]>>", extend("minItems" = 3))]
     ring: Option<Vec<DVec2>>,
     /// One entry for each side, from the first corner on
     sides: Option<Vec<SideKeys>>,
     /// The hole's own target interval length, which goes before that of the domain
+    #[schemars(extend("exclusiveMinimum" = 0))]
     size: Option<f64>,
 }
 

@@ -1,8 +1,14 @@
 //! Errors in a domain's JSON text, with their position.
 
+use crate::error::also;
+
 /// An error in a domain's JSON text, with its position.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("line {line}, column {column}{}: {message}", if path.is_empty() { String::new() } else { format!(", {path}") })]
+#[error(
+    "line {line}, column {column}{}: {message}{}",
+    if path.is_empty() { String::new() } else { format!(", {path}") },
+    also(more.iter().map(|it| &*it.message))
+)]
 pub struct DomainJsonError {
     /// The keys that lead to the value, such as `sides[2].spacing`; empty for the whole text.
     pub path: String,
@@ -13,4 +19,6 @@ pub struct DomainJsonError {
     pub column: usize,
     /// The error and the allowed values.
     pub message: String,
+    /// The other faults of the rings, lines and points.
+    pub more: Vec<DomainJsonError>,
 }

@@ -64,7 +64,9 @@ pub(super) fn explained(text: &str, error: DomainJsonError) -> DomainJsonError {
         _ => None,
     };
     match message {
-        Some(message) => DomainJsonError { path: String::new(), line: 1, column: 1, message },
+        Some(message) => {
+            DomainJsonError { path: String::new(), line: 1, column: 1, message, more: Vec::new() }
+        }
         None => error,
     }
 }

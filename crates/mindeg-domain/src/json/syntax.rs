@@ -12,7 +12,7 @@ const EXAMPLE: &str = "{\"rectangle\": {\"width\": 4, \"height\": 3}, \"size\": 
 pub(super) fn no_json(text: &str, error: &serde_json::Error) -> DomainJsonError {
     let at = |line: usize, column: usize, message| {
         let (line, column) = (line.max(1), column.max(1));
-        DomainJsonError { path: String::new(), line, column, message }
+        DomainJsonError { path: String::new(), line, column, message, more: Vec::new() }
     };
     if text.trim().is_empty() {
         return at(1, 1, format!("the input is empty; give a domain in JSON, such as {EXAMPLE}"));

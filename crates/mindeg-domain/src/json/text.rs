@@ -26,13 +26,17 @@ pub(super) fn has(text: &str, place: &Place) -> bool {
 
 /// An error in a description, with the line and column of the value that it is about.
 pub(super) fn located(text: &str, error: DomainError) -> DomainJsonError {
+    /// Each fault is looked for from the start of the text: some seconds for all of them.
+    const MOST_BYTES: usize = 1_000_000_000;
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let DomainError { mut place, message, .. } = error;
+    let DomainError { mut place, message, more, .. } = error;
+    let found = MOST_BYTES / text.len().max(1);
+    let more: Vec<_> = more.into_iter().take(found).map(|error| located(text, error)).collect();
     loop {
         let find = |place: &Place| Reader { text, at: 0 }.find(&place.0);
         let found = place.given().into_iter().find_map(|place| Some((find(&place)?, place)));
         if let Some((start, place)) = found {
-            return at(text, start, &place, message);
+            return DomainJsonError { more, ..at(text, start, &place, message) };
         }
         // The wrong value was left out: report the value that should contain it.
         place.0.pop();
@@ -43,7 +47,7 @@ pub(super) fn at(text: &str, start: usize, place: &Place, message: String) -> Do
     let before = &text[..start];
     let line = before.bytes().filter(|&byte| byte == b'\n').count() + 1;
     let column = start - before.rfind('\n').map_or(0, |end| end + 1) + 1;
-    DomainJsonError { path: place.to_string(), line, column, message }
+    DomainJsonError { path: place.to_string(), line, column, message, more: Vec::new() }
 }
 
 /// A valid JSON text, from some position on.

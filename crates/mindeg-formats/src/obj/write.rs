@@ -121,8 +121,9 @@ fn faces(mesh: &dyn Mesh, triangles: Range<u32>, texture: bool, normals: bool) -
 }
 
 fn header<'a>(mesh: &dyn Mesh, mtllib: &str, surface: &str) -> Section<'a> {
+    let triangles = if mesh.triangle_count() == 1 { "triangle" } else { "triangles" };
     Section::bytes(format!(
-        "# {}\n# {} vertices, {} triangles, maximum degree {}\n{mtllib}{surface}",
+        "# {}\n# {} vertices, {} {triangles}, maximum degree {}\n{mtllib}{surface}",
         made_by(mesh),
         mesh.vertex_count(),
         mesh.triangle_count(),

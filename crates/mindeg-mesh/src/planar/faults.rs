@@ -1,12 +1,14 @@
 //! All faults of rings that bound no domain, with their rings and indices.
 
 use std::fmt;
+use std::ops::Range;
 
 use glam::DVec2;
 
 use super::boundary::PlanarBoundary;
 use super::in_ring::{BoundaryPlace, InRing, ring_name};
 use super::meetings::meetings;
+use super::orientation;
 use super::sweep::{Meeting, Swept};
 
 /// The maximum number of listed faults: a scribble can have one for each pair of edges.
@@ -159,8 +161,54 @@ impl BoundaryFaults {
             Meeting::FoldsBack(vertex) => BoundaryFault::FoldsBack(boundary.in_ring(vertex)),
             Meeting::Overlap(edges) => BoundaryFault::Overlap(edges.map(edge)),
         });
-        Self(placed.collect())
+        let mut faults: Vec<BoundaryFault> = placed.collect();
+        let outside = holes_outside(boundary, &faults);
+        faults.extend(outside.into_iter().map(|hole| BoundaryFault::HoleOutside { hole }));
+        faults.truncate(MOST_FAULTS);
+        Self(faults)
     }
+}
+
+/// The holes that meet nothing and lie outside the outline. If the outline meets itself, nothing is known.
+fn holes_outside(boundary: &PlanarBoundary, faults: &[BoundaryFault]) -> Vec<usize> {
+    /// The most comparisons of a point with an edge.
+    const MOST_COMPARISONS: usize = 100_000_000;
+    let mut meets = vec![false; boundary.ring_count()];
+    for fault in faults {
+        let places = match *fault {
+            BoundaryFault::SamePoint(places)
+            | BoundaryFault::Crossing(places)
+            | BoundaryFault::Overlap(places) => places,
+            BoundaryFault::Touch { vertex, edge } => [vertex, edge],
+            BoundaryFault::FoldsBack(at) => [BoundaryPlace::Ring(at); 2],
+            _ => continue,
+        };
+        let rings = places.map(|place| match place {
+            BoundaryPlace::Ring(at) => Some(at.ring),
+            _ => None,
+        });
+        rings.into_iter().flatten().filter(|&ring| ring > 0).for_each(|ring| meets[ring] = true);
+        if rings == [Some(0); 2] {
+            return Vec::new();
+        }
+    }
+    let points = |ring: usize| {
+        let Range { start, end } = boundary.ring(ring);
+        &boundary.points()[start as usize..end as usize]
+    };
+    let outline = points(0);
+    let count = MOST_COMPARISONS / outline.len().max(1);
+    let apart = (1..boundary.ring_count()).filter(|&ring| !meets[ring]).take(count);
+    apart.filter(|&ring| points(ring).first().is_some_and(|&at| !surrounds(outline, at))).collect()
+}
+
+/// Whether a ring that does not cross itself surrounds a point that is not on it, exactly.
+fn surrounds(ring: &[DVec2], point: DVec2) -> bool {
+    let next = ring.iter().cycle().skip(1);
+    let is_crossed = |(a, b): &(&DVec2, &DVec2)| {
+        (a.y > point.y) != (b.y > point.y) && (orientation(**a, **b, point) > 0.0) == (b.y > a.y)
+    };
+    ring.iter().zip(next).filter(is_crossed).count() % 2 == 1
 }
 
 fn result(faults: Vec<BoundaryFault>) -> Result<(), BoundaryFaults> {
@@ -250,12 +298,15 @@ mod tests {
     fn every_fault_is_listed_with_its_ring_and_index() {
         let nan = f64::NAN;
         #[rustfmt::skip]
-        let table: [(&[&[[f64; 2]]], &str); 10] = [
+        let table: [(&[&[[f64; 2]]], &str); 12] = [
             (&[], "a boundary needs an outer ring"),
             (&[&SQUARE[..2], &[[nan, 0.0], [1.0, nan]]], "the outline has 2 points, and needs at least 3; hole 1 has 2 points, and needs at least 3; point 1 of hole 1 is not finite; point 2 of hole 1 is not finite"),
             // A zig-zag whose edge 7 crosses three others.
             (&[&[[0.0, 0.0], [8.0, 0.0], [8.0, 2.0], [2.0, 2.0], [2.0, 4.0], [8.0, 4.0], [8.0, 6.0], [4.0, -2.0]]], "edge 1 and edge 7 cross; edge 3 and edge 7 cross; edge 5 and edge 7 cross"),
             (&[&SQUARE, &[[7.0, 1.0], [9.0, 3.0], [7.0, 3.0]], &[[1.0, 9.0], [3.0, 7.0], [1.0, 7.0]]], "edge 3 and edge 3 of hole 2 cross; edge 2 and edge 1 of hole 1 cross; edge 2 and edge 2 of hole 1 cross; edge 3 and edge 1 of hole 2 cross"),
+            // A hole that meets nothing is judged beside one that crosses itself, but not beside an outline that does.
+            (&[&SQUARE, &[[1.0, 1.0], [3.0, 3.0], [3.0, 1.0], [1.0, 3.0]], &[[9.0, 1.0], [9.0, 2.0], [10.0, 1.0]], &[[5.0, 5.0], [5.0, 6.0], [6.0, 5.0]]], "edge 1 of hole 1 and edge 3 of hole 1 cross; hole 2 lies outside the outline"),
+            (&[&[[0.0, 0.0], [8.0, 8.0], [8.0, 0.0], [0.0, 8.0]], &[[9.0, 1.0], [9.0, 2.0], [10.0, 1.0]]], "edge 1 and edge 3 cross"),
             (&[&[[0.0, 0.0], [4.0, 0.0], [8.0, 0.0], [6.0, 0.0], [4.0, 4.0]]], "the boundary folds back at point 3; point 4 lies on edge 2"),
             (&[&[[0.0, 0.0], [4.0, 0.0], [4.0, 0.0], [0.0, 4.0]]], "point 2 and point 3 coincide"),
             (&[&SQUARE, &[[2.0, 0.0], [3.0, 2.0], [4.0, 0.0]]], "point 3 of hole 1 lies on edge 1; point 1 of hole 1 lies on edge 1"),

@@ -143,7 +143,7 @@ fn loops_become_rings_with_their_points_and_names() {
 #[test]
 fn errors_of_an_obj_say_where_and_what() {
     for (lines, message) in [
-        ("f 1 2 3", "the file has faces, so it is a mesh;"),
+        ("f 1 2 3", "the file has faces, so it is a model or a mesh: mindeg mesh meshes its faces"),
         ("", "the file has no lines;"),
         ("l 1 2 0", "line 5: vertex 0 does not exist; numbers start at 1"),
         ("l 1 2 -9", "line 5: vertex -9 does not exist; the file has 4 up to this line"),
