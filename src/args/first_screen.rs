@@ -1,4 +1,4 @@
-//! What help shows: `-h` what most users need, each in one sentence, on a screen; `--help` all, without blank lines
+//! The texts of help: by `-h` the options that most users need, each in one sentence, on a screen; `--help` all, without blank lines
 //! between options.
 
 use clap::{Arg, ArgAction, Command};

@@ -1,4 +1,4 @@
-//! What a mesh is for: `--for`.
+//! The purpose of a mesh: `--for`.
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Arg, Args};

@@ -1,4 +1,4 @@
-//! What each package holds when it leaves this folder: a page, the licences, and all that its sources include.
+//! The contents of each package when it leaves this folder: a page, the licences, and all that its sources include.
 
 use crate::{PROGRAM, assert_none, crates, files, root};
 use std::collections::BTreeMap;

@@ -17,7 +17,7 @@ use std::time::Duration;
 /// The processor time after which a program is given up.
 pub(crate) const LIMIT: Duration = Duration::from_secs(60);
 
-/// What came of running a program.
+/// The outcome of running a program.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) enum Outcome {
     /// Triangles, right or wrong.

@@ -21,7 +21,7 @@ enum Outline {
     Regular,
 }
 
-/// What the growth with the number of points is taken from comes first.
+/// The cases; those that the growth with the number of points is taken from come first.
 #[rustfmt::skip]
 pub(crate) const CASES: [Case; 9] = [
     Case { id: "4x100", title: "4 × 100", outline: Rectangle(4.0, 3.0), sides: &[100; 4] },
@@ -38,7 +38,7 @@ pub(crate) const CASES: [Case; 9] = [
 /// The number of cases, from the first on, that differ in the number of points alone.
 pub(crate) const GROWING: usize = 3;
 
-/// What a program is given: it takes what it needs.
+/// The input of a program: it takes the parts that it needs.
 pub(crate) struct Input {
     pub(crate) intervals: Vec<u64>,
     pub(crate) corners: Vec<DVec2>,

@@ -20,7 +20,7 @@ use input::CASES;
 use peer::{PEERS, Peer};
 use std::error::Error;
 
-/// What came of one program on all inputs.
+/// The outcome of one program on all inputs.
 struct Row {
     peer: &'static Peer,
     outcomes: Vec<Outcome>,

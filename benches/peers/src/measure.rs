@@ -5,7 +5,7 @@ use mindeg::quality::TriangleQuality;
 use mindeg_core::verify;
 use serde::{Deserialize, Serialize};
 
-/// What a peer's triangles are measured by.
+/// The measures of a peer's triangles.
 ///
 /// Degree and angle are those of the triangles that are not flat.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -38,7 +38,7 @@ pub(crate) fn measure(input: &Input, mut triangles: Vec<[u32; 3]>) -> Figures {
     let exists = |&vertex: &u32| (vertex as usize) < count;
     triangles.iter_mut().for_each(turn_counter_clockwise);
     let given = triangles.len();
-    // What names no vertex is for the check to report.
+    // A corner that names no vertex is for the check to report.
     triangles
         .retain(|triangle| !(triangle.iter().all(exists) && input.boundary.is_flat(*triangle)));
     let flat = given - triangles.len();

@@ -333,7 +333,7 @@ fn of_definition(text: &str) -> Result<Projection, String> {
     Ok(Projection { kind, ellipsoid })
 }
 
-/// What a definition looks like.
+/// The form of a definition.
 const FORMS: &str = "give EPSG:32635 or the like, or \"+proj=utm +zone=35 +datum=WGS84\", \
      \"+proj=stere +lat_0=38 +lon_0=25 +datum=WGS84\" or \"+proj=laea +lat_0=38 +lon_0=25 +datum=WGS84\"";
 

@@ -68,7 +68,7 @@ fn written(mesh: &TriMesh, way: (Format, WriteOptions)) -> Vec<Vec<u8>> {
     files.into_iter().map(|(_, bytes)| bytes).collect()
 }
 
-/// What becomes of the calls of a stream, counted over all streams that share the counter.
+/// The fates of the calls of a stream, counted over all streams that share the counter.
 struct Faulty<'a, S> {
     stream: S,
     calls: &'a AtomicUsize,

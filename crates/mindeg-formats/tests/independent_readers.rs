@@ -1,4 +1,4 @@
-//! What is written, read by tobj and the gltf crate, which share nothing with our readers.
+//! Written meshes, read by tobj and the gltf crate, which share nothing with our readers.
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 

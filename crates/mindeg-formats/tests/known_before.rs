@@ -1,4 +1,4 @@
-//! What is known of a file before it is written.
+//! The size and the faults of a file that are known before it is written.
 
 use mindeg::{Domain, Rectangle, Side};
 use mindeg_formats::MeshPlane;

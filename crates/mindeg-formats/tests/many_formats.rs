@@ -114,7 +114,7 @@ proptest! {
                 });
                 prop_assert_eq!(read.segments(), &segments[..], "{:?}", format);
             }
-            // What was read is written to the same bytes, but for names that the format lost.
+            // The mesh that was read is written to the same bytes, but for names that the format lost.
             let again = read.clone().named(mesh.name().unwrap_or("mesh"));
             if !matches!(format, Format::Sms2dm | Format::Npz) {
                 prop_assert_eq!(&write(&again, format, exact()), &files, "{:?}", format);

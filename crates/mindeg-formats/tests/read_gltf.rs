@@ -130,7 +130,7 @@ fn nodes_move_their_meshes() {
         {"mesh": 0, "name": "second"},
     ]);
     let mesh = read(&with(square(&TWO), "/nodes", nodes)).unwrap();
-    // What is in the same place has the same vertices.
+    // Corners in the same place have the same vertex.
     assert_eq!(mesh.positions().len(), 8);
     assert_eq!(mesh.positions()[1], DVec3::new(11.0, 0.0, 0.0));
     assert_eq!(mesh.positions()[5], DVec3::new(12.0, 0.0, 0.0));

@@ -1,4 +1,4 @@
-//! What is written and read again is the same mesh, and what is damaged between is an error
+//! A mesh that is written and read again is the same, and a file that is damaged between is an error
 //! or another mesh, never a panic.
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]

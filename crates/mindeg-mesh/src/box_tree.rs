@@ -32,7 +32,7 @@ pub struct BoxTree {
 
 const NOTHING: Bounds<DVec3> = Bounds { min: DVec3::INFINITY, max: DVec3::NEG_INFINITY };
 
-/// What rounding adds at most to the distance of a box, as a share: an item never seems nearer than its box.
+/// The most that rounding adds to the distance of a box, as a share: an item never seems nearer than its box.
 const ROUNDING: f64 = 1.0 + 1e-12;
 
 impl BoxTree {

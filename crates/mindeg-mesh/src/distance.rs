@@ -29,7 +29,7 @@ pub struct DistanceBound {
 const GAP: f64 = 0.02;
 /// Below this share of the extent, distances count as none.
 const NOTHING: f64 = 1e-9;
-/// What rounding may change, as a share of the greatest coordinate.
+/// The most that rounding changes, as a share of the greatest coordinate.
 const ROUNDING: f64 = 1e-14;
 /// Pieces that a triangle may be cut into, apart from its share of the other set's triangles.
 const PIECES: usize = 1 << 10;

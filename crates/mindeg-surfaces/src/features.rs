@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::NONE;
 use crate::links::{Links, by_vertex, edge_of};
 
-/// What makes an edge, or a vertex, a feature of a surface.
+/// The angles that make an edge, or a vertex, a feature of a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FeatureRules {
     /// An edge is sharp where the normals of its two triangles differ by more than this angle, in degrees, 0 to 180.
@@ -36,7 +36,7 @@ impl Default for FeatureRules {
     }
 }
 
-/// What a surface keeps whatever its shape, by the points and triangles of the input.
+/// The edges and points that a surface keeps whatever its shape, by the points and triangles of the input.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Given<'a> {
     /// The group of each triangle; empty for one group.

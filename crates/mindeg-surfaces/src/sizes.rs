@@ -10,7 +10,7 @@ use crate::curves::CurveSpan;
 use crate::links::by_vertex;
 use crate::surface::{Spot, Surface};
 
-/// What decides the edge lengths of a remesh.
+/// The rules for the edge lengths of a remesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SizeRules {
     /// The edge length where nothing asks for a shorter one.

@@ -205,7 +205,7 @@ fn a_point_of_two_fans_becomes_two_vertices() {
     assert_eq!(surface.triangles(), [[0, 2, 3], [1, 4, 5]]);
 }
 
-/// What must hold of every surface: neighbours know each other, spans and patches agree on both sides.
+/// The invariants of every surface: neighbours know each other, spans and patches agree on both sides.
 fn check(surface: &Surface) {
     for (t, around) in (0_u32..).zip(surface.neighbours()) {
         let corners = surface.triangles()[t as usize];

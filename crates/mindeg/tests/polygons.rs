@@ -142,7 +142,7 @@ fn a_first_corner_in_a_straight_side_changes_no_degree() {
     }
 }
 
-/// What the design gives for each, from elsewhere.
+/// The expected degree of each, from elsewhere.
 #[test]
 fn known_least_degrees() {
     let l = |counts| domain(&Outline::l_shape(counts));

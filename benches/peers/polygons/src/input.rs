@@ -1,6 +1,6 @@
 //! The polygons that all programs are given.
 
-// What the tests of mindeg-exact draw, too.
+// The outlines that the tests of mindeg-exact draw, too.
 #[allow(clippy::unwrap_used, reason = "most of it is for tests, which fail by panicking")]
 #[path = "../../../../crates/mindeg-exact/tests/outlines/mod.rs"]
 mod outlines;

@@ -36,7 +36,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// What every program makes of an input.
+/// The triangles that every program makes of an input.
 fn answers(input: &Input) -> Result<Vec<Answer>, Box<dyn Error>> {
     let mut best = [Duration::MAX; PEERS.len()];
     let mut spent = [Duration::ZERO; PEERS.len()];

@@ -1,4 +1,4 @@
-//! What the programs' triangles are worth, and the tables.
+//! The worth of the programs' triangles, and the tables.
 
 use crate::input::{Input, turn};
 use crate::peers::{PEERS, Triangles};
@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::time::Duration;
 
-/// What came of one program on one input.
+/// The outcome of one program on one input.
 #[derive(Debug)]
 pub(crate) enum Answer {
     /// A triangulation of the rings with all their points.

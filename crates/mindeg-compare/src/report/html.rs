@@ -111,10 +111,10 @@ struct Links<'a> {
 pub(super) struct Figure<'a> {
     pub(super) place: usize,
     pub(super) name: String,
-    /// What it is advised for.
+    /// The purposes that it is advised for.
     pub(super) advised: Option<&'static str>,
     pub(super) described: String,
-    /// What is wrong with it.
+    /// Its defects.
     pub(super) defects: Vec<&'a str>,
     pub(super) thinned: Option<String>,
     pub(super) has_triangles: bool,

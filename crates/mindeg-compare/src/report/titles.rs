@@ -1,4 +1,4 @@
-//! What the meshes of a report are called, in the words of the other pages.
+//! The titles of the meshes of a report, in the words of the other pages.
 //!
 //! The JSON has the names of the methods instead, which never change.
 
@@ -28,7 +28,7 @@ pub(crate) fn named(report: &Report) -> Vec<Named<'_>> {
     named.collect()
 }
 
-/// What the mesh of a method is called.
+/// The title of the mesh of a method.
 pub(crate) fn title(report: &Report, method: Method) -> String {
     match method {
         Method::LeastDegree => "Least degree".to_owned(),
@@ -41,7 +41,7 @@ pub(crate) fn title(report: &Report, method: Method) -> String {
     }
 }
 
-/// What follows the title of a mesh that this method has, too.
+/// The words after the title of a mesh that this method has, too.
 fn same_mesh(report: &Report, method: Method) -> String {
     match method {
         Method::Exact { max_degree } if !keeps_enough(report, max_degree) => {

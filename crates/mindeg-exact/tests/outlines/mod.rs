@@ -261,11 +261,11 @@ pub(crate) fn on(p: DVec2, [a, b]: [DVec2; 2]) -> bool {
     turn(a, b, p) == 0.0 && (p - a).dot(p - b) <= 0.0
 }
 
-/// What triangulations are compared by: the tangent of the minimum angle, the number of
+/// The order of triangulations: the tangent of the minimum angle, the number of
 /// vertices at their limit, the sum of shapes.
 pub(crate) type Rank = (f64, Reverse<u32>, u64);
 
-/// What ranking takes from one triangulation.
+/// The numbers of one triangulation that ranking takes.
 pub(crate) struct Measured {
     pub(crate) degrees: Vec<u32>,
     pub(crate) tangent: f64,

@@ -17,7 +17,7 @@ pub(crate) struct Instance {
     pub(crate) own_limits: Vec<Option<u32>>,
 }
 
-/// What triangulations are compared by: the tangent of the minimum angle, the number of
+/// The order of triangulations: the tangent of the minimum angle, the number of
 /// vertices at their limit, the sum of shapes.
 pub(crate) type Rank = (f64, Reverse<u32>, u64);
 

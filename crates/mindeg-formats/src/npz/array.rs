@@ -32,7 +32,7 @@ pub(super) struct Array<'a> {
     numbers: Cow<'a, [u8]>,
 }
 
-/// What the head of an array says.
+/// The head of an array.
 struct Head {
     /// The type without the byte order.
     kind: String,

@@ -179,7 +179,7 @@ impl<'a> Pieces<'a> {
         (&side.name, side.kind)
     }
 
-    /// What an edge is told to be on a ring: an island that joined the outer one is land.
+    /// The kind that an edge is told to have on a ring: an island that joined the outer one is land.
     fn told_on(&self, is_outer: bool, edge: u32) -> (Option<&'a str>, Option<LineKind>) {
         match self.told(edge) {
             (name, Some(LineKind::Island)) if is_outer => {

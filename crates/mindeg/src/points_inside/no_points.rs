@@ -1,4 +1,4 @@
-//! What the search for points inside says where it ends without.
+//! The words of the search for points inside where it ends without.
 
 use mindeg_mesh::Cancelled;
 

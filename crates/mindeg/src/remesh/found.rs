@@ -14,7 +14,7 @@ use crate::verify::{MeshDefect, VerifiedSurface, short};
 pub struct RemeshedPart {
     /// The mesh. Its groups are those of the part.
     pub mesh: TriMesh,
-    /// What the search reached: degrees, angles, and the corners that limit them.
+    /// The result of the search: degrees, angles, and the corners that limit them.
     pub reached: RemeshReport,
     /// The findings of the checker.
     pub verified: VerifiedSurface,
@@ -22,7 +22,7 @@ pub struct RemeshedPart {
     pub curves: Option<[DistanceBound; 2]>,
     /// The feature curves and corners of the part, and the patches between them.
     pub features: FeatureCounts,
-    /// What was mended first, if that was wanted: the mesh is compared with the part after it.
+    /// The repairs that came first, if they were wanted: the mesh is compared with the part after it.
     pub repairs: Option<Repairs>,
     /// The contents of the part that the mesh lacks, one phrase each.
     pub dropped: Vec<&'static str>,

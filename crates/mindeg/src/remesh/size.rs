@@ -21,7 +21,7 @@ pub(super) fn first_size(part: &TriMesh, wish: &Remesh, diagonal: f64) -> f64 {
     }
 }
 
-/// What decides the edge lengths for a size.
+/// The rule for the edge lengths of a size.
 pub(super) fn rules(wish: &Remesh, size: f64) -> SizeRules {
     if wish.curvature { SizeRules::by_curvature(size) } else { SizeRules::of_size(size) }
 }
