@@ -4,6 +4,7 @@ mod beside;
 mod features;
 mod interior;
 mod model;
+mod ocean;
 
 use crate::args::MeshArguments;
 use crate::bar::Bar;

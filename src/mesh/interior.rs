@@ -1,7 +1,8 @@
 //! `mindeg mesh --interior`: a domain with points inside.
 
 use super::features::SEPARATE;
-use crate::args::{DepthArguments, MeshArguments};
+use super::ocean::{Ocean, by_depth, with_depths};
+use crate::args::MeshArguments;
 use crate::condition::drawn;
 use crate::demands::met_or_written_anyway;
 use crate::domain::describe::write_texts;
@@ -10,7 +11,7 @@ use crate::failure::Failure;
 use crate::interrupt::SESSION;
 use crate::making::Making;
 use mindeg::interior::{self, Cause, InteriorError, InteriorMesh};
-use mindeg::{Depths, Domain, Interior, Opening, Projection, Size, TriMesh};
+use mindeg::{Domain, Interior, Opening, Size};
 use mindeg_answers::advice::Purpose;
 use mindeg_answers::condition::ConditionAnswer;
 use mindeg_answers::interior::{
@@ -20,7 +21,6 @@ use mindeg_answers::interior::{
 use mindeg_answers::limit::{Lifting, LimitAnswer};
 use mindeg_answers::names::{region_count, shown};
 use mindeg_answers::numbers::{counted, triangles};
-use mindeg_answers::ocean::{DepthsAnswer, OpeningRow};
 use mindeg_answers::sizes::{coarse_sides, sizes};
 use mindeg_files::{Input, PolygonFile};
 use mindeg_mesh::{Bounds, Triangles, significant};
@@ -49,34 +49,6 @@ struct Summary<'a> {
     conditioned: Option<&'a ConditionAnswer>,
     #[serde(flatten)]
     ocean: Ocean,
-}
-
-/// What an ocean model has beside its mesh.
-#[derive(Serialize)]
-struct Ocean {
-    /// The stretches that were asked to be open water.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    openings: Vec<OpeningRow>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    depths: Option<DepthsAnswer>,
-    /// The projection of degrees, as PROJ writes it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    projection: Option<String>,
-}
-
-impl Ocean {
-    fn new(
-        openings: &[Opening],
-        depths: Option<DepthsAnswer>,
-        projection: Option<&Projection>,
-    ) -> Self {
-        let openings = openings.iter().map(OpeningRow::from).collect();
-        Self { openings, depths, projection: projection.map(Projection::to_string) }
-    }
-
-    fn words(&self) -> Option<String> {
-        self.depths.as_ref().map(DepthsAnswer::text)
-    }
 }
 
 /// The regions of polygons that are one map.
@@ -128,53 +100,6 @@ fn with_sizes(arguments: &MeshArguments, file: Option<&Interior>) -> Result<Inte
         wanted.sizes.push(Size::Between(SESSION.sizes(&Input::of(path))?));
     }
     Ok(wanted)
-}
-
-/// The wishes with the sizes that depths ask for.
-fn by_depth(
-    arguments: &MeshArguments,
-    depths: Option<&Depths>,
-    wanted: &Interior,
-    domains: &[Domain],
-) -> Result<Interior, Failure> {
-    let mut wanted = wanted.clone();
-    match (arguments.depth.rules(), depths) {
-        (Some(rules), Some(depths)) => {
-            let points = domains.iter().flat_map(|domain| domain.placement().points());
-            let sizes = depths.sizes(&rules, points);
-            if sizes.points.is_empty() {
-                return Err(Failure::input(
-                    "the depths ask for no size: none is above 0 in the box around the domain",
-                ));
-            }
-            wanted.sizes.push(Size::Between(sizes));
-        }
-        (None, _) if arguments.depth.time_step.is_some() => {
-            return Err(Failure::input(
-                "--time-step limits the sizes of --wavelength and --slope: add one of them",
-            ));
-        }
-        _ => {}
-    }
-    Ok(wanted)
-}
-
-/// Gives the vertices their depths, and says which.
-fn with_depths(
-    mesh: TriMesh,
-    depths: Option<&Depths>,
-    arguments: &MeshArguments,
-    projection: Option<&Projection>,
-) -> Result<(TriMesh, Option<DepthsAnswer>), Failure> {
-    let Some(depths) = depths else { return Ok((mesh, None)) };
-    let DepthArguments { least_depth, time_step, .. } = &arguments.depth;
-    let found = DepthsAnswer::of(mesh, depths, *least_depth, *time_step, projection);
-    let (mesh, answer) = found.ok_or_else(|| {
-        Failure::input(
-            "--depth: no vertex of the mesh lies on the grid of depths; give the grid of this region",
-        )
-    })?;
-    Ok((mesh, Some(answer)))
 }
 
 /// What is meshed.

@@ -479,11 +479,12 @@ mod tests {
     fn parts_that_are_not_there_are_refused() {
         let diamond =
             Domain::from_rings([[[0.0, -1.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]]]).unwrap();
-        let one = DVec2::new(5.0, 5.0);
+        let [near, far] = [DVec2::new(1.05, 0.0), DVec2::new(5.0, 5.0)];
         for (part, words) in [
             (OpenWater::Box, "no side is on the box"),
             (OpenWater::Side("nix".to_owned()), "there are side 1"),
-            (OpenWater::Between([one; 2]), "nearest to one point"),
+            (OpenWater::Between([near; 2]), "nearest to one point"),
+            (OpenWater::Between([near, far]), "(5, 5) is 6.403 from the nearest vertex"),
         ] {
             let error = diamond.with_open_water(&[part], None).unwrap_err().to_string();
             assert!(error.contains(words), "{error}");

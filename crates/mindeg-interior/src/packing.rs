@@ -203,11 +203,14 @@ impl Ground<'_> {
         let mut edges: Vec<[DVec2; 2]> = boundary.chain(pieces).collect();
         edges.sort_by(|a, b| a[0].distance_squared(a[1]).total_cmp(&b[0].distance_squared(b[1])));
         let fans = std::mem::take(queue);
+        // Where sizes grow so fast from each edge that its own ends would be too near.
+        let is_fast =
+            self.spacing * (1.0 + self.field.growth_from_edges() * SQRT_3 / 2.0) > TO_ENDS;
         queue.extend(edges.into_iter().map(|[a, b]| Candidate {
             from: a.midpoint(b) + (b - a).perp() * (SQRT_3 / 2.0),
             step: DVec2::ZERO,
             direction: (b - a).normalize_or_zero(),
-            most: TO_ENDS * a.distance(b),
+            most: if is_fast { TO_ENDS * a.distance(b) } else { f64::INFINITY },
         }));
         for point in &self.lines.points {
             surround(*point, self.field.at(*point), DVec2::X, queue);

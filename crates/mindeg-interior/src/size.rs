@@ -109,6 +109,11 @@ impl SizeField {
         self.coarser *= factor;
     }
 
+    /// How fast sizes grow with the distance from an edge that stays.
+    pub(crate) fn growth_from_edges(&self) -> f64 {
+        self.sources.growth_from_edges
+    }
+
     pub(crate) fn boundary(&self) -> &EdgeTree {
         &self.sources.boundary
     }

@@ -1,0 +1,82 @@
+//! Depths and open water of `mindeg mesh --interior`.
+
+use crate::args::{DepthArguments, MeshArguments};
+use crate::failure::Failure;
+use mindeg::{Depths, Domain, Interior, Opening, Projection, Size, TriMesh};
+use mindeg_answers::ocean::{DepthsAnswer, OpeningRow};
+use serde::Serialize;
+
+/// What an ocean model has beside its mesh.
+#[derive(Serialize)]
+pub(super) struct Ocean {
+    /// The stretches that were asked to be open water.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    openings: Vec<OpeningRow>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    depths: Option<DepthsAnswer>,
+    /// The projection of degrees, as PROJ writes it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    projection: Option<String>,
+}
+
+impl Ocean {
+    pub(super) fn new(
+        openings: &[Opening],
+        depths: Option<DepthsAnswer>,
+        projection: Option<&Projection>,
+    ) -> Self {
+        let openings = openings.iter().map(OpeningRow::from).collect();
+        Self { openings, depths, projection: projection.map(Projection::to_string) }
+    }
+
+    pub(super) fn words(&self) -> Option<String> {
+        self.depths.as_ref().map(DepthsAnswer::text)
+    }
+}
+
+/// The wishes with the sizes that depths ask for.
+pub(super) fn by_depth(
+    arguments: &MeshArguments,
+    depths: Option<&Depths>,
+    wanted: &Interior,
+    domains: &[Domain],
+) -> Result<Interior, Failure> {
+    let mut wanted = wanted.clone();
+    match (arguments.depth.rules(), depths) {
+        (Some(rules), Some(depths)) => {
+            let points = domains.iter().flat_map(|domain| domain.placement().points());
+            let sizes = depths.sizes(&rules, points);
+            if sizes.points.is_empty() {
+                return Err(Failure::input(
+                    "the depths ask for no size: none is above 0 in the box around the domain",
+                ));
+            }
+            wanted.sizes.push(Size::Between(sizes));
+        }
+        (None, _) if arguments.depth.time_step.is_some() => {
+            return Err(Failure::input(
+                "--time-step limits the sizes of --wavelength and --slope: add one of them",
+            ));
+        }
+        _ => {}
+    }
+    Ok(wanted)
+}
+
+/// Gives the vertices their depths, and says which.
+pub(super) fn with_depths(
+    mesh: TriMesh,
+    depths: Option<&Depths>,
+    arguments: &MeshArguments,
+    projection: Option<&Projection>,
+) -> Result<(TriMesh, Option<DepthsAnswer>), Failure> {
+    let Some(depths) = depths else { return Ok((mesh, None)) };
+    let DepthArguments { least_depth, time_step, .. } = &arguments.depth;
+    let found = DepthsAnswer::of(mesh, depths, *least_depth, *time_step, projection);
+    let (mesh, answer) = found.ok_or_else(|| {
+        Failure::input(
+            "--depth: no vertex of the mesh lies on the grid of depths; give the grid of this region",
+        )
+    })?;
+    Ok((mesh, Some(answer)))
+}
