@@ -81,7 +81,7 @@ fn domains(arguments: &DomainArguments) -> Result<(Vec<Domain>, Repair), Failure
         outline.together = repair == Repair::Together;
         Ok(subject(&arguments, Wanted::Domain, &Bar::new(true))?.parts()?.domains)
     };
-    if arguments.file.is_none() || arguments.options.outline.repair {
+    if arguments.file.is_none() {
         return Ok((read(Repair::None)?, Repair::None));
     }
     least_repaired(read, |_| 0)

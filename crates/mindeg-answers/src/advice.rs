@@ -297,9 +297,9 @@ impl Advice {
         };
         let possible = self.purposes(None).into_iter().filter(|&purpose| self.is_possible(purpose));
         let is_measured = self.patch.is_some() || self.solver.is_some();
-        let measuring = (!is_measured).then(|| {
-            format!("hint: this takes longer, and measures them:\n{}", command.measuring())
-        });
+        let measuring = command.measuring().filter(|_| !is_measured);
+        let measuring =
+            measuring.map(|line| format!("hint: this takes longer, and measures them:\n{line}"));
         possible.map(hint).chain(measuring).collect::<Vec<_>>().join("\n")
     }
 }

@@ -1,11 +1,16 @@
 //! The changes that conditioning made to a boundary.
 
+mod places;
+
+pub use places::ShortestEdge;
+
 use crate::numbers::{count, four_digits, steady_angle};
 use mindeg::Domain;
 use mindeg::glam::DVec2;
 use mindeg::interior::{
     BoundaryChange, ChangeKind, Conditioned, Narrow, NarrowReason, Reason, Why,
 };
+use places::{degrees, place, place_in_words};
 use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -53,6 +58,8 @@ pub struct ConditionAnswer {
     pub spits_cut: usize,
     /// The largest distance of the old boundary and the new one from each other, at most.
     pub moved: f64,
+    /// The shortest edge of the new boundary, which decides the time step of a solver.
+    pub shortest_edge: Option<ShortestEdge>,
     /// No mesh of the old boundary has a greater minimum angle.
     pub angle_limit_before: f64,
     /// No mesh of the new boundary has a greater minimum angle.
@@ -193,6 +200,7 @@ impl ConditionAnswer {
             basins_dropped: count(ChangeKind::BasinDropped),
             spits_cut: count(ChangeKind::SpitCut),
             moved: conditioned.iter().map(|one| one.moved).fold(0.0, f64::max),
+            shortest_edge: ShortestEdge::of(after),
             angle_limit_before: least(|one| one.before),
             angle_limit: least(|one| one.after),
             is_reached: left_over().next().is_none(),
@@ -258,6 +266,7 @@ impl ConditionAnswer {
             steady_angle(self.angle_limit),
             steady_angle(self.angle_limit_before)
         );
+        text.extend(self.shortest_edge.as_ref().and_then(ShortestEdge::words));
         let (proven, searched): (Vec<&LeftRow>, Vec<&LeftRow>) =
             self.left.iter().partition(|row| row.is_proven);
         if !proven.is_empty() {
@@ -345,10 +354,7 @@ impl ConditionAnswer {
 /// Writes the first places that are left.
 fn list(text: &mut String, rows: &[&LeftRow]) {
     for row in rows.iter().take(MOST_LEFT) {
-        let place = match (row.degrees, row.at) {
-            (Some([x, y]), _) => format!("longitude {x}, latitude {y}"),
-            (None, [x, y]) => format!("({x}, {y})"),
-        };
+        let place = place_in_words(row.degrees, row.at);
         let _ = writeln!(text, "  at {place}: {}; {}", steady_angle(row.angle_limit), row.reason);
     }
     if rows.len() > MOST_LEFT {
@@ -381,18 +387,6 @@ fn why_narrow(reason: NarrowReason) -> &'static str {
 /// The points of rings and lines, and those inside.
 fn points(domain: &Domain) -> u32 {
     domain.rings().vertex_count() + domain.inner_points().len() as u32
-}
-
-/// Degrees of longitude and latitude, to nine decimals, of a point of a projected domain.
-fn degrees(domain: &Domain, at: DVec2) -> Option<[f64; 2]> {
-    const DECIMALS: f64 = 1e9;
-    let degrees = domain.projection()?.to_degrees(at);
-    Some(degrees.to_array().map(|it| (it * DECIMALS).round() / DECIMALS))
-}
-
-/// The point, in degrees if there are any.
-fn place(domain: &Domain, at: DVec2) -> [f64; 2] {
-    degrees(domain, at).unwrap_or(at.to_array())
 }
 
 /// The places that the text names.

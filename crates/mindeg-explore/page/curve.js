@@ -13,7 +13,7 @@ function draw(tag, attributes, text) {
 }
 
 /** As the same shares are written everywhere, by `percent` of mindeg-answers. */
-function percent(share) {
+export function percent(share) {
   const whole = Math.round(100 * share);
   if (Math.abs(100 * share - whole) < 1e-9 && (whole || !share)) return `${whole}%`;
   if (share < 0.001) return "<0.1%";

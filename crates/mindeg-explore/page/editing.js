@@ -131,6 +131,13 @@ function add() {
   say("A corner is added; arrows move it.");
 }
 
+let told = null;
+
+/** Takes back what is said of the edges of another domain, or of one that is refused. */
+export function forgetEdges(isRefused) {
+  if (told && (isRefused || told !== state.domain)) tellOfEdges("");
+}
+
 /** Divides all sides by the length that is given. */
 function divide() {
   const size = element("edge-size").valueAsNumber;
@@ -139,11 +146,12 @@ function divide() {
   if (!divided) return tellOfEdges("This boundary is a list of points, which stay as they are; “Change the boundary” gives edges of that length.");
   letGo();
   apply(divided);
-  tellOfEdges(`All sides have edges of about ${size}, as --size ${size} makes them.`);
+  tellOfEdges(`Sides with corners get edges of about ${size}, as --size ${size} makes them.`);
 }
 
-/** Says what became of the edges, with the command that does the same. */
+/** Says what became of the edges, with the command that does the same; of another domain that is not said. */
 function tellOfEdges(words, command = null) {
+  told = state.domain;
   element("condition-words").textContent = words;
   element("condition-command").hidden = !command;
   element("condition-command").firstElementChild.textContent = command ?? "";

@@ -3,7 +3,7 @@
 
 import { apply, ask, begin, keep, progress, undo, worker } from "./asking.js";
 import { chooseDegree, choosePurpose, guessAgain, offerGoals, offerInterior, offerPurposes, showAdvice, showGoal } from "./choices.js";
-import { grab, handleKey, hint, startEditing, updateEditor } from "./editing.js";
+import { forgetEdges, grab, handleKey, hint, startEditing, updateEditor } from "./editing.js";
 import { fit, fitAnew, isOff, jumpTo, looks, moveTo, readLooks, redraw, resize, setCursor, setFound, stages, zoomBy } from "./pictures.js";
 import * as server from "./server.js";
 import {
@@ -28,6 +28,7 @@ let facts;
 const take = {
   domain(domain) {
     setTimeout(forgetOld, PATIENCE);
+    forgetEdges(false);
     if (selection.mustFit) for (const stage of stages) stage.worst = null;
     shown.domain = domain;
     showTrouble("");
@@ -69,7 +70,10 @@ const take = {
     element("command").textContent = text;
   },
   refused({ part, message, path }) {
-    if (!part) return showRefused(stages, { message, path });
+    if (!part) {
+      forgetEdges(true);
+      return showRefused(stages, { message, path });
+    }
     showPartRefused(stages, part, message);
     laterCharts();
   },

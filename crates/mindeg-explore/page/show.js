@@ -1,7 +1,7 @@
 // Puts what the server says into the page.
 // From the viewer's script: DEGREE_COLORS, angleText, make and the charts.
 
-import { showCurve } from "./curve.js";
+import { percent, showCurve } from "./curve.js";
 import { namedPlaces } from "./names.js";
 import { canRedo, canUndo, shown, state } from "./state.js";
 
@@ -78,7 +78,7 @@ export function showMesh(stage, mesh) {
   const parts = [make("span", "", "minimum angle "), make("strong", "", angleText(mesh.min_angle) + searching)];
   element("marks-legend").hidden = !shown.meshes.interior?.marks?.length;
   if (mesh.share_of_delaunay !== null && stage.view !== "delaunay" && stage.view !== "interior") {
-    parts.push(make("span", "", ` · ${Number((100 * mesh.share_of_delaunay).toPrecision(3))}% of Delaunay’s`));
+    parts.push(make("span", "", ` · ${percent(mesh.share_of_delaunay)} of Delaunay’s`));
   }
   figure.querySelector(".figures").replaceChildren(...parts);
   figure.querySelector(".words-of").textContent = mesh.words;

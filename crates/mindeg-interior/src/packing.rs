@@ -205,7 +205,7 @@ impl Ground<'_> {
         let fans = std::mem::take(queue);
         // Where sizes grow so fast from each edge that its own ends would be too near.
         let is_fast =
-            self.spacing * (1.0 + self.field.growth_from_edges() * SQRT_3 / 2.0) > TO_ENDS;
+            self.spacing * (1.0 + self.field.growth_from_edges() * SQRT_3 / 2.0) > 1.0;
         queue.extend(edges.into_iter().map(|[a, b]| Candidate {
             from: a.midpoint(b) + (b - a).perp() * (SQRT_3 / 2.0),
             step: DVec2::ZERO,

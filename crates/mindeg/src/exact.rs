@@ -20,7 +20,9 @@ use crate::posed::Posed;
 use crate::searched::Searched;
 pub use crate::trade_off::{ExactMesh, TradeOff, keeps, share_of};
 use crate::windowed::{SHARES, within};
-pub use mindeg_exact::{ApexBound, Element, Literal, LowerBound, Reached, Refutation, ZigZag};
+pub use mindeg_exact::{
+    ApexBound, Element, Literal, LowerBound, MAX_VERTICES, Reached, Refutation, ZigZag,
+};
 
 /// The least maximum degree of all meshes of a domain; O(k) for k sides of a convex domain without
 /// constraints. [`degree`] has more to say.
