@@ -204,8 +204,7 @@ impl Ground<'_> {
         edges.sort_by(|a, b| a[0].distance_squared(a[1]).total_cmp(&b[0].distance_squared(b[1])));
         let fans = std::mem::take(queue);
         // Where sizes grow so fast from each edge that its own ends would be too near.
-        let is_fast =
-            self.spacing * (1.0 + self.field.growth_from_edges() * SQRT_3 / 2.0) > 1.0;
+        let is_fast = self.spacing * (1.0 + self.field.growth_from_edges() * SQRT_3 / 2.0) > 1.0;
         queue.extend(edges.into_iter().map(|[a, b]| Candidate {
             from: a.midpoint(b) + (b - a).perp() * (SQRT_3 / 2.0),
             step: DVec2::ZERO,
