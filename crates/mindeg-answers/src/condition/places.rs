@@ -1,8 +1,8 @@
 //! Places of a boundary, in degrees and in words, and its shortest edge.
 
-use crate::numbers::four_digits;
 use mindeg::Domain;
 use mindeg::glam::DVec2;
+use mindeg_mesh::significant;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -43,7 +43,7 @@ impl ShortestEdge {
     /// What there is to say of it, if it is much shorter than most.
     pub(super) fn words(&self) -> Option<String> {
         let unit = if self.degrees.is_some() { " m" } else { "" };
-        let [length, median] = [self.length, self.median].map(four_digits);
+        let [length, median] = [self.length, self.median].map(|it| significant(it, 4));
         let place = place_in_words(self.degrees, self.at);
         (self.length < SHORT * self.median).then(|| {
             format!(
