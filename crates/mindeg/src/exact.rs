@@ -4,7 +4,7 @@
 //!
 //! Degrees here are total: external degrees count.
 //!
-//! Limits: those of the solver, [`MAX_VERTICES`](mindeg_exact::MAX_VERTICES) boundary vertices of a
+//! Limits: those of the solver, [`MAX_VERTICES`] boundary vertices of a
 //! convex domain above all. With holes, searches decide within a number of steps; where they do not, and where
 //! too many vertices see each other, windows reach what they can, and the answers say so.
 
