@@ -102,7 +102,7 @@ fn with_sizes(arguments: &MeshArguments, file: Option<&Interior>) -> Result<Inte
     Ok(wanted)
 }
 
-/// What is meshed.
+/// The domains to mesh, as the options change them.
 struct Prepared<'d> {
     /// The domains with their boundaries conditioned, if that is wanted, and with their open water.
     domains: Cow<'d, [Domain]>,

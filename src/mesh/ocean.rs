@@ -6,7 +6,7 @@ use mindeg::{Depths, Domain, Interior, Opening, Projection, Size, TriMesh};
 use mindeg_answers::ocean::{DepthsAnswer, OpeningRow};
 use serde::Serialize;
 
-/// What an ocean model has beside its mesh.
+/// The open water and the depths of an ocean model, beside its mesh.
 #[derive(Serialize)]
 pub(super) struct Ocean {
     /// The stretches that were asked to be open water.

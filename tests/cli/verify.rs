@@ -255,7 +255,7 @@ fn two_meshes_are_told_how_they_are_compared() {
     let part = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/models/bracket.obj");
     mindeg(["verify", "new.obj", part])
         .refuses(&[&format!("to compare with it: mindeg verify new.obj --surface {part}")]);
-    // What is no mesh has the message on domains.
+    // A file that holds no mesh has the message on domains.
     let run = mindeg(["verify", part, "no-such.json"]);
     assert!(run.code == Some(1) && !run.errors.contains("--surface"), "{}", run.errors);
 }

@@ -1,4 +1,4 @@
-//! What an ocean model has beside its mesh: open water, depths, and the time step that they allow.
+//! The open water and the depths of an ocean model, and the time step that they allow.
 
 use crate::numbers::{count, four_digits, percent};
 use mindeg::glam::DVec2;

@@ -56,7 +56,7 @@ impl Made {
     ///
     /// # Errors
     ///
-    /// Those of [`interior::mesh_showing`].
+    /// The errors of [`interior::mesh_showing`].
     pub(crate) fn interior(
         domain: &Domain,
         show: Option<&mut dyn FnMut(InteriorMesh) -> ControlFlow<()>>,

@@ -66,7 +66,7 @@ pub enum Repair {
     Together,
 }
 
-/// What `read` gives with the repair of which the fewest are `refused`: with the least repair for that.
+/// The result of `read` with the least repair that leaves the fewest `refused`, and that repair.
 ///
 /// # Errors
 ///

@@ -40,7 +40,7 @@ impl ShortestEdge {
         Some(Self { length, median, at: at.to_array(), degrees: degrees(domain, at) })
     }
 
-    /// What there is to say of it, if it is much shorter than most.
+    /// A sentence on it, if it is much shorter than most.
     pub(super) fn words(&self) -> Option<String> {
         let unit = if self.degrees.is_some() { " m" } else { "" };
         let [length, median] = [self.length, self.median].map(|it| significant(it, 4));
