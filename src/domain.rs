@@ -212,10 +212,19 @@ pub(crate) fn opened(
     let division = Division { corner_angle: options.corner_angle, size };
     let OutlineOptions { project, repair, together, snap, fill_rule, .. } = *options;
     let selection = Selection { layer: options.layer.clone(), name_by: options.name_by.clone() };
-    let repair = repair || options.mends;
+    let (repair, parts_holes) = (repair || options.mends, options.mends);
     let feature = options.feature.clone();
-    let read =
-        ReadOptions { feature, selection, project, repair, together, snap, fill_rule, division };
+    let read = ReadOptions {
+        feature,
+        selection,
+        project,
+        repair,
+        parts_holes,
+        together,
+        snap,
+        fill_rule,
+        division,
+    };
     let bad = |error: &dyn ToString| Failure::Input(format!("{name}: {}", error.to_string()));
     Ok(match bar.work(|progress| SESSION.open(&input, wanted, &read, progress))? {
         Content::Domain(text) => {

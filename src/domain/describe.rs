@@ -63,7 +63,7 @@ impl Shape {
             rings: domain.rings().ring_count(),
             sides: domain.rings().side_count(),
             vertices: domain.rings().vertex_count(),
-            area: domain.placement().area(),
+            area: domain.area(),
             min: bounds.min.to_array(),
             max: bounds.max.to_array(),
         }

@@ -80,6 +80,11 @@ impl Domain {
         has_holes.then(|| boundary.border(faces, |face| self.is_hole(face)))
     }
 
+    /// The area of the domain without holes, in square units. O(n log n).
+    pub fn area(&self) -> f64 {
+        self.border().map_or_else(|| self.placement.area(), |border| border.boundary.area())
+    }
+
     /// The lines as lines of a mesh, over the [segments](mindeg_mesh::planar::PlanarBoundary::segments) of the
     /// boundary, with their kinds: one for each run of sides of one name.
     pub fn inner_lines(&self) -> Vec<(Line, Option<LineKind>)> {

@@ -8,7 +8,7 @@
 //! that rounding inverts it; meshing refuses to return such a triangle.
 
 use glam::{DVec2, DVec3};
-use mindeg_mesh::planar::{InRing, PlanarBoundary};
+use mindeg_mesh::planar::{InRing, PlanarBoundary, ring_area};
 use mindeg_mesh::significant;
 use mindeg_mesh::{Bounds, Positions};
 
@@ -305,20 +305,12 @@ impl Placement {
         }
     }
 
-    /// The area of the domain without holes, in square units. O(k), O(n) if the points are stored.
+    /// The area inside the rings, in square units: of a [map](crate::Domain::area), with its holes. O(k), O(n) if the points
+    /// are stored.
     pub fn area(&self) -> f64 {
-        // Relative to a point, so that nothing cancels far from the origin.
-        let of_ring = |points: &[DVec2]| {
-            let fan = points[1..].windows(2);
-            let origin = points[0];
-            fan.map(|pair| (pair[0] - origin).perp_dot(pair[1] - origin)).sum::<f64>() / 2.0
-        };
         match &self.points {
-            Points::Formula(_) => of_ring(&self.corners),
-            Points::Stored { boundary, .. } => {
-                let (rings, points) = (self.rings.rings(), boundary.points());
-                rings.map(|ring| of_ring(&points[ring.start as usize..ring.end as usize])).sum()
-            }
+            Points::Formula(_) => ring_area(&self.corners),
+            Points::Stored { boundary, .. } => boundary.area(),
         }
     }
 }

@@ -23,6 +23,8 @@ pub struct ReadOptions {
     pub project: Option<ProjectionChoice>,
     /// Whether rings that touch or cross themselves are parted.
     pub repair: bool,
+    /// Whether holes that touch other rings at a vertex are parted from them, for a change of the boundary.
+    pub parts_holes: bool,
     /// Whether polygons are repaired together, as regions of one map whose borders stay shared.
     pub together: bool,
     /// How near points become one in such a repair; by default as near as rounding parts them.
@@ -100,6 +102,9 @@ impl PolygonFile {
                  {dashes}repair cuts them there"
             ));
         }
+        if options.parts_holes {
+            outlines = outlines.with_parted_holes();
+        }
         let Outlines { features, mut inside, periodic, kinds, mut notes, .. } = outlines;
         let rings = features.iter().flat_map(|feature| &feature.rings);
         let starts = rings.flat_map(|ring| ring.pieces.iter().map(|piece| piece.start));
@@ -160,7 +165,7 @@ impl PolygonFile {
     pub fn domain(&self, polygon: &Polygon) -> Result<Domain, FileError> {
         let is_plain = self.inside.is_empty() && polygon.feature.max_area.is_none();
         let domain = match &self.polygons[..] {
-            [_] if !is_plain => self.map_of(polygon),
+            [_] if !is_plain => polygon.map(&self.inside, &self.division),
             _ => polygon.domain(&self.division),
         };
         let domain = domain
@@ -171,17 +176,6 @@ impl PolygonFile {
             let hint = self.hint(error.is_touch);
             FileError::wrong(format!("{error}{hint}")).of(&polygon.name())
         })
-    }
-
-    /// The domain of the only polygon, with the lines and points inside it.
-    fn map_of(&self, polygon: &Polygon) -> Result<Domain, OutlineError> {
-        let (maps, _) =
-            outlines::maps(std::slice::from_ref(polygon), &self.inside, &self.division, true)?;
-        match maps.into_iter().next() {
-            Some(map) if !polygon.label.is_empty() => Ok(map.named(&*polygon.label)?),
-            Some(map) => Ok(map),
-            None => polygon.domain(&self.division),
-        }
     }
 
     /// The maps of several polygons: those that share edges are regions of one domain. A single polygon is its domain.

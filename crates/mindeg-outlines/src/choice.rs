@@ -3,10 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use mindeg_domain::Domain;
-
 use super::outline::Feature;
-use super::sides::Division;
 use super::text::clean;
 use crate::error::OutlineError;
 
@@ -26,16 +23,6 @@ impl Polygon {
     #[must_use]
     pub fn name(&self) -> String {
         if self.label.is_empty() { format!("polygon {}", self.index) } else { self.label.clone() }
-    }
-
-    /// The domain inside the outer ring and outside the holes, named by the label.
-    ///
-    /// # Errors
-    ///
-    /// The errors of [`Feature::domain`].
-    pub fn domain(&self, division: &Division) -> Result<Domain, OutlineError> {
-        let name = (!self.label.is_empty()).then(|| self.label.clone());
-        Feature { name, ..self.feature.clone() }.domain(division)
     }
 }
 

@@ -23,13 +23,53 @@ use self::parts::Part;
 use self::plane::{Plane, Run};
 use super::choice::Polygon;
 use super::domain::domain_side;
-use super::outline::{Border, DrawnInside, DrawnRing};
+use super::outline::{Border, DrawnInside, DrawnRing, Feature, key};
 use super::sides::Division;
 use super::text::{clean, shown};
 use crate::error::OutlineError;
 
 /// The name of the part of a border beyond which there is no region.
 const OUTSIDE: &str = "outside";
+
+impl Polygon {
+    /// The domain inside the outer ring and outside the holes, named by the label. A hole that touches another ring at
+    /// vertices is a line around a region without triangles.
+    ///
+    /// # Errors
+    ///
+    /// The errors of [`Feature::domain`].
+    pub fn domain(&self, division: &Division) -> Result<Domain, OutlineError> {
+        if self.has_touching_holes() {
+            return self.map(&DrawnInside::default(), division);
+        }
+        let name = (!self.label.is_empty()).then(|| self.label.clone());
+        Feature { name, ..self.feature.clone() }.domain(division)
+    }
+
+    /// The domain with lines and points inside it.
+    ///
+    /// # Errors
+    ///
+    /// The errors of [`maps`].
+    pub fn map(&self, inside: &DrawnInside, division: &Division) -> Result<Domain, OutlineError> {
+        let (found, _) = maps(std::slice::from_ref(self), inside, division, true)?;
+        match &found[..] {
+            [map] if !self.label.is_empty() => Ok(map.clone().named(&*self.label)?),
+            [map] => Ok(map.clone()),
+            // Touching rings part it into several, or leave nothing.
+            _ => self.feature.domain(division),
+        }
+    }
+
+    /// Whether a ring has a vertex of another.
+    fn has_touching_holes(&self) -> bool {
+        let mut rings = BTreeMap::new();
+        let drawn_rings = self.feature.rings.iter().enumerate();
+        let mut pieces =
+            drawn_rings.flat_map(|(ring, drawn)| std::iter::repeat(ring).zip(&drawn.pieces));
+        pieces.any(|(ring, piece)| *rings.entry(key(piece.start)).or_insert(ring) != ring)
+    }
+}
 
 /// The maps of polygons that may share borders, each with its regions, which have the names of the polygons; and notes.
 /// Lines and points inside them are lines and points of the maps.
@@ -154,14 +194,14 @@ struct SideNames<'a> {
 }
 
 impl SideNames<'_> {
-    /// The name that the file gives, or else the names of the regions: of a border, the one with the lower index first.
+    /// The name that the file gives, or else, of several regions, those on both sides: the one with the lower index first.
     fn of(&mut self, border: &Border) -> Option<Shared<str>> {
         let mut beside = border.beside;
         beside.sort_by_key(|region| region.unwrap_or(u32::MAX));
         let names = self.names;
         let name = |region: Option<u32>| region.map_or(OUTSIDE, |region| &names[region as usize]);
         match beside {
-            _ if border.side.is_some() => border.side.clone(),
+            _ if border.side.is_some() || names.len() == 1 => border.side.clone(),
             [None, None] => None,
             [first, second] => {
                 let known = self.known.entry(beside);

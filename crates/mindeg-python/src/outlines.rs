@@ -79,6 +79,7 @@ impl Given {
             together: self.feature.is_none(),
             snap,
             fill_rule,
+            parts_holes: false,
             division: Division { corner_angle, size },
         })
     }

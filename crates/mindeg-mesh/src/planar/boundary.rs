@@ -232,9 +232,23 @@ impl PlanarBoundary {
         &self.runs
     }
 
+    /// The area inside the rings, in square units: that of the outer ones without the holes. O(n).
+    pub fn area(&self) -> f64 {
+        self.rings()
+            .map(|ring| ring_area(&self.points[ring.start as usize..ring.end as usize]))
+            .sum()
+    }
+
     /// The box around all points. O(n).
     pub fn bounds(&self) -> Bounds {
         let origin = Bounds { min: DVec2::ZERO, max: DVec2::ZERO };
         Bounds::of(self.points().iter().copied()).unwrap_or(origin)
     }
+}
+
+/// The area of a ring of points, in square units; negative if it runs clockwise. O(n).
+pub fn ring_area(points: &[DVec2]) -> f64 {
+    // Relative to a point, so that nothing cancels far from the origin.
+    let doubled = |pair: &[DVec2]| (pair[0] - points[0]).perp_dot(pair[1] - points[0]);
+    points.windows(2).map(doubled).sum::<f64>() / 2.0
 }

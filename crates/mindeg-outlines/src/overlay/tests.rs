@@ -1,6 +1,7 @@
 use i_overlay::core::fill_rule::FillRule as OtherRule;
 use i_overlay::float::simplify::SimplifyShape;
 
+use super::super::choice::labelled;
 use super::super::outline::{FillRule, Outlines, doubled_area};
 use super::super::sides::Division;
 use super::crossings::parted;
@@ -165,13 +166,20 @@ fn random_rings_have_the_area_of_another_library() {
                 (sum - covered).abs() <= 1e-7 * (1.0 + sum),
                 "{rings:?} {rule:?}: {sum}, {covered}"
             );
-            for feature in &repaired.features {
+            let mut of_domains = 0.0;
+            for polygon in labelled(repaired.features.clone()) {
+                match polygon.domain(&Division::default()) {
+                    Ok(domain) => of_domains += domain.area(),
+                    Err(error) => panic!("{rings:?} {rule:?}: {polygon:?}: {error}"),
+                }
+            }
+            assert!(
+                (of_domains - expected).abs() <= 1e-7 * (1.0 + expected),
+                "{rings:?} {rule:?}: {of_domains}, {expected}"
+            );
+            for feature in repaired.with_parted_holes().features {
                 let domain = feature.domain(&Division::default());
-                assert!(
-                    domain.is_ok(),
-                    "{rings:?} {rule:?}: {feature:?}: {:?}",
-                    domain.unwrap_err().to_string()
-                );
+                assert!(domain.is_ok(), "{rings:?} {rule:?}: {feature:?}: {domain:?}");
             }
         }
     }
