@@ -3,6 +3,8 @@
 //! An edge runs straight in degrees, as RFC 7946 has it, and the short way around the globe. So a ring across the
 //! antimeridian needs no cut, and one around a pole no seam.
 
+mod touching;
+
 use std::str::FromStr;
 use std::sync::Arc as Shared;
 
@@ -13,6 +15,7 @@ use super::curve::PieceCurve;
 use super::outline::{DrawnRing, Outlines, Piece};
 use super::text::counted;
 use crate::error::OutlineError;
+use touching::Touching;
 
 /// An edge gets a point in its middle where that is farther than this share of its length from the line in the plane.
 const MOST_BENT: f64 = 1e-4;
@@ -136,8 +139,10 @@ impl Outlines {
             [f64::min(least, it), f64::max(most, it)]
         });
         let sides = BoxSides::of(starts());
+        let touching = Touching::of(&sides, starts());
         let mut projecting = Projecting { projection, sides, added: 0, named: 0 };
         for ring in self.features.iter_mut().flat_map(|feature| &mut feature.rings) {
+            ring.pieces = touching.noded(&projecting.sides, &ring.pieces);
             *ring = projecting.ring(ring)?;
         }
         let Projecting { added, named, .. } = projecting;
@@ -319,7 +324,6 @@ impl Projecting {
             }
             projected.push(Piece { start, side: side.clone(), ..piece.clone() });
             // The short way round.
-            // The short way round.
             ends[1].x = ends[0].x + turned(ends[1].x - ends[0].x);
             let mut points = Vec::new();
             let places = ends.map(|end| self.projection.to_plane(DVec2::new(turned(end.x), end.y)));
@@ -362,6 +366,29 @@ mod tests {
         let alone = |_: &str| Err(std::io::ErrorKind::NotFound.into());
         let outlines = read(text.as_bytes(), OutlineFormat::GeoJson, alone).unwrap();
         outlines.projected(choice.parse().unwrap()).map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn an_island_on_the_box_is_no_sea_beside_it() {
+        for shift in [0.0, 159.0] {
+            let ring = |points: &[[f64; 2]]| {
+                let at = |x: f64| if x + shift > 180.0 { x + shift - 360.0 } else { x + shift };
+                let points: Vec<[f64; 2]> = points.iter().map(|[x, y]| [at(*x), *y]).collect();
+                format!("{points:?}")
+            };
+            let sea = ring(&[[20.0, 36.0], [22.0, 36.0], [22.0, 38.0], [20.0, 38.0]]);
+            for (island, holes) in [
+                ([[22.0, 37.0], [22.0, 37.3], [21.8, 37.1]], 0),
+                ([[21.0, 38.0], [21.5, 38.0], [21.2, 37.5]], 0),
+                ([[22.0, 37.0], [21.8, 37.1], [21.7, 36.9]], 1),
+            ] {
+                let rings = format!("[{sea}, {}]", ring(&island));
+                let (outlines, _) = projected(&rings, "auto").unwrap();
+                let repaired = outlines.repaired(None).unwrap();
+                assert_eq!(repaired.features.len(), 1, "{shift} {island:?}: {:?}", repaired.notes);
+                assert_eq!(repaired.features[0].rings.len(), 1 + holes);
+            }
+        }
     }
 
     #[test]

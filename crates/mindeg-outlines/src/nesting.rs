@@ -80,7 +80,8 @@ impl Outlines {
         let (features, without_effect) = polygons(rings, rule, name)?;
         self.features.extend(features);
         let count = without_effect.len();
-        self.shapes.push(Shape { end: self.features.len(), rule, without_effect });
+        let end = self.features.len();
+        self.shapes.push(Shape { end, rule, is_of_polygons: false, without_effect });
         Ok(count)
     }
 }

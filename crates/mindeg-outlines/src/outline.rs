@@ -102,6 +102,8 @@ pub(super) struct Shape {
     /// The index after that of its last polygon.
     pub(super) end: usize,
     pub(super) rule: FillRule,
+    /// Whether the file gives polygons, each an outer ring and its holes, and no rings alone.
+    pub(super) is_of_polygons: bool,
     /// The rings that bound no polygon, as long as rings do not cross.
     pub(super) without_effect: Vec<DrawnRing>,
 }
@@ -141,7 +143,8 @@ impl Outlines {
     /// Makes one shape of the polygons that belong to no shape.
     pub(super) fn end_shape(&mut self) {
         let (end, without_effect) = (self.features.len(), Vec::new());
-        self.shapes.push(Shape { end, rule: FillRule::EvenOdd, without_effect });
+        let rule = FillRule::EvenOdd;
+        self.shapes.push(Shape { end, rule, is_of_polygons: true, without_effect });
     }
 }
 

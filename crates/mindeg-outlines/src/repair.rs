@@ -54,7 +54,7 @@ impl Outlines {
         let mut features = features.into_iter();
         let mut start = 0;
         for shape in shapes {
-            let Shape { end, rule: own, without_effect } = shape;
+            let Shape { end, rule: own, is_of_polygons, without_effect } = shape;
             let of_shape: Vec<Feature> = features.by_ref().take(end - start).collect();
             let whose = match &of_shape[..] {
                 [first, ..] if first.name.is_some() => first.name.clone().unwrap_or_default(),
@@ -67,13 +67,16 @@ impl Outlines {
                 .flat_map(|it| it.rings.iter().map(|ring| (ring, it.name.as_deref())))
                 .collect();
             rings.extend(without_effect.iter().map(|ring| (ring, None)));
-            let layer = Layer {
-                rings: rings.iter().map(|&(ring, _)| ring).collect(),
-                rule: rule.unwrap_or(own),
-            };
-            let done = overlay(&[layer], |inside| inside[0])
-                .map_err(|problem| OutlineError::place(&*whose, problem))?;
-            repaired.notes.extend(note(&whose, of_shape.len(), &done));
+            let rule = rule.unwrap_or(own);
+            let has_one_name = of_shape.windows(2).all(|pair| pair[0].name == pair[1].name);
+            let done = if is_of_polygons && has_one_name {
+                without_holes(&of_shape, rule)
+            } else {
+                let layer = Layer { rings: rings.iter().map(|&(ring, _)| ring).collect(), rule };
+                overlay(&[layer], |inside| inside[0])
+            }
+            .map_err(|problem| OutlineError::place(&*whose, problem))?;
+            repaired.notes.extend(note(&whose, &of_shape, &done));
             repaired.features.extend(done.polygons.into_iter().map(|(polygon, follows)| {
                 let name = follows.and_then(|ring| rings[ring].1).map(str::to_owned);
                 Feature { name, rings: polygon, ..Feature::default() }
@@ -104,7 +107,29 @@ impl Outlines {
     }
 }
 
-fn note(whose: &str, before: usize, done: &Overlay) -> Option<String> {
+/// The polygons of the points of each polygon's outer ring that none of its holes has: whichever way these run, overlap, or reach
+/// past it.
+fn without_holes(polygons: &[Feature], rule: FillRule) -> Result<Overlay, String> {
+    let rings = || polygons.iter().flat_map(|polygon| &polygon.rings);
+    let layers: Vec<Layer<'_>> = rings().map(|ring| Layer { rings: vec![ring], rule }).collect();
+    let is_in = |mut counted: &[bool]| {
+        let mut around = 0;
+        for polygon in polygons {
+            let (own, others) = counted.split_at(polygon.rings.len());
+            let is_around =
+                own.split_first().is_some_and(|(outer, holes)| *outer && !holes.contains(&true));
+            around += usize::from(is_around);
+            counted = others;
+        }
+        around % 2 == 1
+    };
+    let mut done = overlay(&layers, is_in)?;
+    // All have one name.
+    done.polygons.iter_mut().for_each(|polygon| polygon.1 = Some(0));
+    Ok(done)
+}
+
+fn note(whose: &str, before: &[Feature], done: &Overlay) -> Option<String> {
     let mut said = Vec::new();
     if done.added > 0 {
         said.push(format!("added {} where edges meet", counted(done.added, "point")));
@@ -117,8 +142,13 @@ fn note(whose: &str, before: usize, done: &Overlay) -> Option<String> {
         said.push(format!("dropped {} that {bound} no area", counted(done.dropped, "edge")));
     }
     let after = done.polygons.len();
-    if after != before {
-        said.push(format!("made {} of {before}", counted(after, "polygon")));
+    if after != before.len() {
+        said.push(format!("made {} of {}", counted(after, "polygon"), before.len()));
+    }
+    let holes: usize = before.iter().map(|feature| feature.rings.len().saturating_sub(1)).sum();
+    let left: usize = done.polygons.iter().map(|(rings, _)| rings.len().saturating_sub(1)).sum();
+    if left < holes {
+        said.push(format!("made {} of {holes}", counted(left, "hole")));
     }
     (!said.is_empty()).then(|| format!("repaired {whose}: {}", said.join("; ")))
 }
@@ -215,7 +245,14 @@ mod tests {
 
     /// The rings of each polygon after the repair of one ring or more, and the notes.
     fn repaired(rings: &[&[[f64; 2]]]) -> (Vec<Vec<Points>>, Vec<String>) {
-        shown(outlines_of(rings).repaired(None).unwrap())
+        repaired_by(rings, None)
+    }
+
+    fn repaired_by(
+        rings: &[&[[f64; 2]]],
+        rule: Option<FillRule>,
+    ) -> (Vec<Vec<Points>>, Vec<String>) {
+        shown(outlines_of(rings).repaired(rule).unwrap())
     }
 
     fn outlines_of(rings: &[&[[f64; 2]]]) -> Outlines {
@@ -242,6 +279,36 @@ mod tests {
         let (features, notes) = repaired(&[square, hole]);
         assert_eq!(features, [[square.to_vec(), hole.to_vec()]]);
         assert!(notes.is_empty());
+    }
+
+    #[test]
+    fn holes_take_away_what_they_have_however_they_lie() {
+        let box_of = |x: f64, y: f64, size: f64| {
+            vec![[x, y], [x + size, y], [x + size, y + size], [x, y + size]]
+        };
+        let outer = box_of(0.0, 0.0, 10.0);
+        let island = box_of(2.0, 2.0, 4.0);
+        for (other, area, count) in [
+            // The same once more, as it is and the other way round; one that overlaps; one inside; one past the border.
+            (island.clone(), 84.0, 1),
+            (island.iter().rev().copied().collect(), 84.0, 1),
+            (box_of(4.0, 4.0, 4.0), 72.0, 1),
+            (box_of(3.0, 3.0, 1.0), 84.0, 1),
+            (box_of(8.0, 4.0, 4.0), 76.0, 1),
+        ] {
+            for rule in [None, Some(FillRule::EvenOdd), Some(FillRule::NonZero)] {
+                let (features, notes) = repaired_by(&[&outer, &island, &other], rule);
+                assert_eq!((features.len(), features[0].len()), (1, 1 + count), "{other:?}");
+                let found = features[0].iter().map(|ring| {
+                    let points: Vec<DVec2> = ring.iter().copied().map(DVec2::from).collect();
+                    crate::outline::doubled_area(&points).abs() / 2.0
+                });
+                let areas: Vec<f64> = found.collect();
+                let left = areas[0] - areas[1..].iter().sum::<f64>();
+                assert!((left - area).abs() < 1e-9, "{other:?} {rule:?}: {left}");
+                assert!(notes[0].ends_with("made 1 hole of 2"), "{notes:?}");
+            }
+        }
     }
 
     #[test]
