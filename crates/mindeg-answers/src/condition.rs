@@ -42,7 +42,7 @@ pub struct ConditionAnswer {
     pub dropped: usize,
     /// Points that were put on edges.
     pub inserted: usize,
-    /// Points of narrow inlets that were moved.
+    /// Points of narrow water that were moved.
     pub shifted: usize,
     /// Sharp corners that were cut off.
     pub cut: usize,
@@ -235,7 +235,7 @@ impl ConditionAnswer {
             let _ = writeln!(
                 text,
                 "{} moved",
-                plural(self.shifted, "point of narrow inlets", "points of narrow inlets")
+                plural(self.shifted, "point of narrow water", "points of narrow water")
             );
         }
         let narrow = narrow.into_iter().filter(|row| row.0 > 0);
@@ -368,6 +368,7 @@ fn why_changed(why: Why) -> &'static str {
         Why::Size => "edges there were too short or too long for the size",
         Why::Limit => "the limit of the angle at a vertex there was too small",
         Why::Strait => "edges that face each other were long beside their distance",
+        Why::Near => "its shores were nearer to each other than a quarter of the size",
         Why::Growth => "an edge was long beside others near it",
         Why::Narrow => "an inlet or strait one edge wide",
         Why::Width => "narrower than the least width",

@@ -216,6 +216,14 @@ impl Chains {
         self.at(vertex).distance(self.at(self.next(vertex)))
     }
 
+    /// Whether an edge is shorter than a share of the median.
+    pub(crate) fn has_shorter(&self, share: f64) -> bool {
+        let mut lengths: Vec<f64> = self.edges().map(|edge| self.length(edge)).collect();
+        lengths.sort_by(f64::total_cmp);
+        let median = lengths.get(lengths.len() / 2).copied();
+        lengths.first().copied() < median.map(|median| share * median)
+    }
+
     /// The chains that are left, each from its first point that is there.
     pub(crate) fn order(&self) -> Vec<Vec<u32>> {
         let mut chains: Vec<Vec<u32>> = vec![Vec::new(); self.rings + self.lines];
@@ -371,7 +379,7 @@ pub(crate) fn farthest(points: &[DVec2], ends @ [a, b]: [DVec2; 2]) -> f64 {
 }
 
 /// Where along a segment a point is: 0 at its start, 1 at its end.
-fn share_along(point: DVec2, [a, b]: [DVec2; 2]) -> f64 {
+pub(crate) fn share_along(point: DVec2, [a, b]: [DVec2; 2]) -> f64 {
     let along = b - a;
     let squared = along.length_squared();
     if squared > 0.0 { (point - a).dot(along) / squared } else { 0.0 }

@@ -44,6 +44,8 @@ pub enum Why {
     Limit,
     /// Edges that face each other were long beside their distance.
     Strait,
+    /// Its shores were nearer to each other than a quarter of the size.
+    Near,
     /// An edge was long beside others near it.
     Growth,
     /// The triangles of an inlet or a strait one edge wide could not have the angle together.
@@ -61,7 +63,7 @@ pub enum ChangeKind {
     Dropped,
     /// A point was put on an edge.
     Inserted,
-    /// A point of a narrow inlet was moved.
+    /// A point of narrow water was moved.
     Shifted,
     /// A sharp corner was cut off.
     Cut,

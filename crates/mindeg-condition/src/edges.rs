@@ -28,29 +28,10 @@ const BESIDE: usize = 4;
 impl Chains {
     /// Divides edges until all limits are as demanded, or nothing more helps.
     pub(crate) fn divide(&mut self, demands: &BoundaryDemands) -> Result<(), ConditionError> {
-        let largest = self.alive().map(|v| self.at(v).abs().max_element()).fold(0.0, f64::max);
-        // Tents that just do not meet leave no room for the triangles between them.
-        let room = if demands.growth > 0.0 { ROOM } else { 1.0 };
-        let roomy = libm::atan(room * libm::tan(demands.angle.to_radians())).to_degrees();
         let mut fresh: Vec<u32> = self.alive().collect();
         for _ in 0..ROUNDS {
-            let mut long: BTreeMap<u32, Why> = BTreeMap::new();
-            let mut divide = |edges: &mut dyn Iterator<Item = (u32, Why)>| {
-                for (edge, why) in edges {
-                    long.entry(edge).or_insert(why);
-                }
-            };
-            for vertex in fresh.drain(..) {
-                divide(&mut self.to_divide(vertex, demands).into_iter());
-            }
-            let in_straits = self.in_straits(roomy, demands.angle).into_iter();
-            divide(&mut in_straits.map(|edge| (edge, Why::Strait)));
-            let growing = self.edges().filter(|edge| self.grows_fast(*edge, demands.growth));
-            divide(&mut growing.map(|edge| (edge, Why::Growth)));
+            let long = self.long_edges(fresh.drain(..), demands);
             for (vertex, why) in long {
-                if self.is_kept_edge(vertex) || self.length(vertex) < SHORTEST * largest {
-                    continue;
-                }
                 let at = self.at(vertex).midpoint(self.at(self.next(vertex)));
                 let new = self.insert(vertex, at);
                 let (kind, edge) =
@@ -66,6 +47,31 @@ impl Chains {
             }
         }
         Ok(())
+    }
+
+    /// The edges that are to be divided, each with the first reason: those at some vertices that are too long, those of straits, and
+    /// those that grow too fast.
+    pub(crate) fn long_edges(
+        &self,
+        fresh: impl Iterator<Item = u32>,
+        demands: &BoundaryDemands,
+    ) -> BTreeMap<u32, Why> {
+        let largest = self.alive().map(|v| self.at(v).abs().max_element()).fold(0.0, f64::max);
+        // Tents that just do not meet leave no room for the triangles between them.
+        let room = if demands.growth > 0.0 { ROOM } else { 1.0 };
+        let roomy = libm::atan(room * libm::tan(demands.angle.to_radians())).to_degrees();
+        let too_long = fresh.flat_map(|vertex| self.to_divide(vertex, demands));
+        let in_straits = self.in_straits(roomy, demands.angle).into_iter();
+        let in_straits = in_straits.map(|edge| (edge, Why::Strait));
+        let growing = self.edges().filter(|edge| self.grows_fast(*edge, demands.growth));
+        let growing = growing.map(|edge| (edge, Why::Growth));
+        let mut long: BTreeMap<u32, Why> = BTreeMap::new();
+        for (edge, why) in too_long.chain(in_straits).chain(growing) {
+            if !self.is_kept_edge(edge) && self.length(edge) >= SHORTEST * largest {
+                long.entry(edge).or_insert(why);
+            }
+        }
+        long
     }
 
     /// The edges at a vertex that are too long: for the size, or beside another one.
@@ -105,7 +111,7 @@ impl Chains {
     }
 
     /// The pairs of edges whose tents of an angle meet, each with the angle from which on they do.
-    fn tents(&self, angle: f64) -> Vec<(f64, [u32; 2])> {
+    pub(crate) fn tents(&self, angle: f64) -> Vec<(f64, [u32; 2])> {
         let (mut edges, mut names) = (Vec::new(), Vec::new());
         for edge in self.edges() {
             let ends = [edge, self.next(edge)].map(|v| self.place(v));
@@ -126,10 +132,10 @@ impl Chains {
             _ if self.length(a) >= self.length(b) => a,
             _ => b,
         };
-        // Beside a corner tents with room meet at every length of edges, and beside one that is too sharp all do.
+        // Beside a corner that is not blunt tents with room meet at every length of edges, and beside one that is too sharp all do.
         let is_of_use = |tent: &(f64, [u32; 2])| match self.least_between(tent.1) {
-            Some(least) => tent.0 < demanded && least >= demanded,
-            None => true,
+            Some(least) if least < 2.0 * angle => tent.0 < demanded && least >= demanded,
+            _ => true,
         };
         self.tents(angle).into_iter().filter(is_of_use).map(|tent| longer(tent.1)).collect()
     }

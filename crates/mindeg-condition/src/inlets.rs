@@ -26,8 +26,8 @@ use std::collections::BTreeSet;
 use step::{Step, is_at_end};
 use straits::straits;
 
-/// So often all inlets are looked at, since a change of one may be another one's.
-const ROUNDS: usize = 2;
+/// So often all inlets are changed, since a change of one may be another one's.
+pub(crate) const ROUNDS: usize = 2;
 /// The most changes of one inlet.
 const MOST_CHANGES: usize = 6;
 /// Triangles of the shores alone with so many degrees more than wanted leave no doubt.
@@ -57,11 +57,12 @@ struct Place {
 }
 
 impl Chains {
-    /// Changes the inlets whose triangles cannot have the demanded angle. `prove` proves the chains as they are, and gives their boundary.
+    /// Changes the inlets whose triangles cannot have the demanded angle. `prove` proves the chains as they are, and gives their boundary. Without rounds nothing is changed, and what is too thin is told.
     pub(crate) fn widen_inlets(
         &mut self,
         prove: impl Fn(&Self) -> Result<PlanarBoundary, ConditionError>,
         demands: &BoundaryDemands,
+        rounds: usize,
     ) -> Result<Vec<Left>, ConditionError> {
         self.longest = self.edges().map(|edge| self.length(edge)).fold(0.0, f64::max);
         let (mut is_changed, mut in_vain) = (true, BTreeSet::new());
@@ -72,7 +73,7 @@ impl Chains {
             let triangles = mindeg_delaunay::triangles(&boundary, inner, lines, Progress::NONE)
                 .map_err(|error| ConditionError::Narrow(error.to_string()))?;
             let small = self.small(&Whole::new(self, &boundary, &triangles), demands.angle);
-            if !is_changed || small.is_empty() || round == ROUNDS {
+            if !is_changed || small.is_empty() || round == rounds {
                 let left = |place: &Place| Left {
                     at: self.at(place.shores[0][place.shores[0].len() / 2]),
                     limit: place.meshed.angle,
@@ -281,7 +282,7 @@ impl Chains {
     /// Makes a change.
     fn take(&mut self, step: Step, shores: &mut [Vec<u32>], demands: &BoundaryDemands) {
         match step {
-            Step::Shift { vertex, to } => self.shift(vertex, to, demands),
+            Step::Shift { vertex, to } => self.shift(vertex, to, Why::Narrow, demands),
             Step::Drop { vertex } => {
                 self.drop(vertex, Why::Narrow);
                 shores.iter_mut().for_each(|shore| shore.retain(|v| *v != vertex));

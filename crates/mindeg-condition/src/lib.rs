@@ -33,6 +33,7 @@ mod error;
 mod grid;
 mod inlets;
 mod narrow;
+mod opening;
 mod stars;
 mod tips;
 
@@ -45,6 +46,11 @@ use crate::narrow::Narrowed;
 use glam::DVec2;
 use mindeg_mesh::planar::PlanarBoundary;
 use std::collections::{BTreeMap, BTreeSet};
+
+/// A boundary that has all that is demanded stays as it is, unless it would have less than this share of its points,
+const WORTH_POINTS: f64 = 0.9;
+/// or had an edge shorter than this share of half of all, and none after.
+const SHORT: f64 = 0.2;
 
 /// A conditioned boundary.
 #[derive(Debug, Clone, PartialEq)]
@@ -155,17 +161,32 @@ fn of_wide(
     has_domain: impl Fn(u32) -> [bool; 2],
     marks: &[DVec2],
 ) -> Result<Conditioned, ConditionError> {
-    let mut chains = Chains::new(boundary, hold, has_domain, marks);
-    let before = chains.limit_of_all();
-    chains.drop_holes(demands.least_hole);
-    chains.simplify(demands);
-    chains.cut_tips(demands);
-    chains.divide(demands)?;
     let prove = |chains: &Chains| {
         let (rings, lines) = chains.points();
         Ok(checked(boundary, &rings, &lines)?.0)
     };
-    let narrow_inlets = chains.widen_inlets(prove, demands)?;
+    let mut chains = Chains::new(boundary, &hold, &has_domain, marks);
+    let before = chains.limit_of_all();
+    chains.drop_holes(demands.least_hole);
+    let is_good = before >= demands.angle
+        && chains.changes.is_empty()
+        && chains.long_edges(chains.alive(), demands).is_empty()
+        && chains.widen_inlets(prove, demands, 0)?.is_empty();
+    let mut narrow_inlets = Vec::new();
+    if !is_good || demands.size.is_some() {
+        let (points, had_short) = (chains.edges().count() as f64, chains.has_shorter(SHORT));
+        chains.simplify(demands);
+        chains.cut_tips(demands);
+        chains.open_narrow(demands);
+        chains.divide(demands)?;
+        narrow_inlets = chains.widen_inlets(prove, demands, inlets::ROUNDS)?;
+        let is_worth_it = (chains.edges().count() as f64) < WORTH_POINTS * points
+            || had_short && !chains.has_shorter(SHORT);
+        if is_good && !is_worth_it {
+            chains = Chains::new(boundary, &hold, &has_domain, marks);
+            narrow_inlets.clear();
+        }
+    }
     let (rings, lines) = chains.points();
     checked(boundary, &rings, &lines)?;
     let (after, mut left, moved) = (chains.limit_of_all(), chains.left(demands), chains.moved());

@@ -31,7 +31,10 @@ impl Chains {
         let edges = [before, after].map(|v| self.at(v) - at);
         let shortest = edges[0].length().min(edges[1].length());
         let for_size = demands.size.map_or(f64::INFINITY, |size| size / (2.0 * libm::sin(half)));
-        let mut cut = (demands.within / libm::cos(half)).min(MOST_OF_EDGE * shortest).min(for_size);
+        // A hair less, so that no rounding takes the cut farther.
+        let mut cut = (demands.within * (1.0 - 1e-9) / libm::cos(half))
+            .min(MOST_OF_EDGE * shortest)
+            .min(for_size);
         for _ in 0..TRIES {
             let ends = edges.map(|edge| at + edge * (cut / edge.length()));
             let places = [before, tip, after].map(|v| self.place(v));

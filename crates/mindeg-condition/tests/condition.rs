@@ -4,7 +4,7 @@
 
 use glam::DVec2;
 use mindeg_condition::{
-    BoundaryDemands, ChangeKind, Conditioned, Hold, Left, Reason, condition, condition_map,
+    BoundaryDemands, ChangeKind, Conditioned, Hold, Left, Reason, Why, condition, condition_map,
 };
 use mindeg_interior::limits::fan_limit;
 use mindeg_interior::{Options, generate};
@@ -236,6 +236,81 @@ fn wedge(degrees: f64) -> Vec<DVec2> {
         (0..edges).map(move |edge| from.lerp(to, f64::from(edge) / f64::from(edges)))
     };
     (0..3).flat_map(side).collect()
+}
+
+/// The lengths of all edges, from the shortest on.
+fn lengths(rings: &[Vec<DVec2>]) -> Vec<f64> {
+    let of = |ring: &Vec<DVec2>, i: usize| ring[i].distance(ring[(i + 1) % ring.len()]);
+    let all = rings.iter().flat_map(|ring| (0..ring.len()).map(move |i| of(ring, i)));
+    let mut lengths: Vec<f64> = all.collect();
+    lengths.sort_by(f64::total_cmp);
+    lengths
+}
+
+#[test]
+fn narrow_water_is_opened_so_that_no_edge_is_short() {
+    // A spike of a hundredth at its root and 30 units deep, and a strait of a tenth between two basins.
+    let spike = ring(&[
+        [0.0, 0.0],
+        [40.0, 0.0],
+        [40.3, 20.0],
+        [70.0, 20.0],
+        [39.8, 20.01],
+        [40.0, 40.0],
+        [0.0, 40.0],
+    ]);
+    let strait = ring(&[
+        [0.0, 0.0],
+        [40.0, 0.0],
+        [40.3, 20.0],
+        [70.0, 20.0],
+        [70.0, 0.0],
+        [110.0, 0.0],
+        [110.0, 40.0],
+        [70.0, 40.0],
+        [70.4, 20.1],
+        [39.7, 20.1],
+        [40.0, 40.0],
+        [0.0, 40.0],
+    ]);
+    for rings in [[spike], [strait]] {
+        let found = conditioned(&rings, &BoundaryDemands::of_size(4.0));
+        let new = places(&found);
+        assert!(found.after >= 25.0 && found.left.is_empty(), "{:?}", found.left);
+        assert!(found.moved <= 0.5 && apart(&rings, &new) <= 0.5 + 1e-9, "{}", found.moved);
+        let lengths = lengths(&new);
+        assert!(lengths[0] > 0.45, "{:?} {:?}", &lengths[..9], found.changes);
+        let opened = found.changes.iter().filter(|change| change.why == Why::Near);
+        assert!(opened.clone().count() >= 2 && opened.clone().all(|it| it.moved > Some(0.2)));
+    }
+}
+
+#[test]
+fn edges_of_coasts_by_chance_are_a_fifth_of_most_at_least() {
+    for seed in (0..16).filter(|seed| *seed != 13) {
+        let rings = coast(40 + 7 * (seed as u32 % 20), 0.05 * (seed % 7) as f64, seed);
+        let size = [4.0, 8.0, 12.0][(seed % 3) as usize];
+        let found = conditioned(&rings, &BoundaryDemands::of_size(size));
+        let lengths = lengths(&places(&found));
+        assert!(lengths[0] > lengths[lengths.len() / 2] / 5.0, "{seed}: {:?}", &lengths[..9]);
+    }
+}
+
+#[test]
+fn what_was_conditioned_stays_as_it_is() {
+    let mut all = 0;
+    for seed in 0..12 {
+        let rings = coast(40 + 7 * (seed as u32 % 20), 0.05 * (seed % 7) as f64, seed);
+        let demands = BoundaryDemands::of_size([4.0, 8.0, 12.0][(seed % 3) as usize]);
+        let first = conditioned(&rings, &demands);
+        assert!(!first.changes.is_empty());
+        if first.left.is_empty() {
+            let again = conditioned(&places(&first), &demands);
+            assert_eq!((&again.changes[..], again.moved), (&[][..], 0.0), "{seed}");
+            all += 1;
+        }
+    }
+    assert!(all > 6, "{all}");
 }
 
 #[test]

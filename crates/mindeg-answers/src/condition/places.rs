@@ -7,7 +7,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 /// An edge below this share of the median length is told.
-const SHORT: f64 = 0.1;
+const SHORT: f64 = 0.2;
 
 /// The shortest edge of a boundary.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -47,8 +47,8 @@ impl ShortestEdge {
         let place = place_in_words(self.degrees, self.at);
         (self.length < SHORT * self.median).then(|| {
             format!(
-                "The shortest edge is {length}{unit} long at {place}, half of all {median}{unit} or more: where that comes of a \
-                 narrow place, a least width closes it.\n"
+                "The shortest edge is {length}{unit} long at {place}, half of all {median}{unit} or more: in a narrow place \
+                 a larger distance or a least width helps.\n"
             )
         })
     }

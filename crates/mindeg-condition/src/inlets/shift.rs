@@ -8,7 +8,7 @@ use mindeg_mesh::planar::orientation;
 
 impl Chains {
     /// Where a point was before it was moved, and how far it may be from there; none if it may not be moved.
-    pub(super) fn reach(&self, vertex: u32, demands: &BoundaryDemands) -> Option<(DVec2, f64)> {
+    pub(crate) fn reach(&self, vertex: u32, demands: &BoundaryDemands) -> Option<(DVec2, f64)> {
         let own = &self.vertices[vertex as usize];
         if own.hold > Hold::Free || own.previous == NONE || own.next == NONE {
             return None;
@@ -24,7 +24,7 @@ impl Chains {
     }
 
     /// How far the boundary is moved if a vertex goes somewhere; none if that is too far.
-    pub(super) fn shifted_by(
+    pub(crate) fn shifted_by(
         &self,
         vertex: u32,
         to: DVec2,
@@ -42,7 +42,7 @@ impl Chains {
     }
 
     /// Whether nothing lies between a vertex with its edges and where it is to go.
-    pub(super) fn is_shift_free(&self, vertex: u32, to: DVec2) -> bool {
+    pub(crate) fn is_shift_free(&self, vertex: u32, to: DVec2) -> bool {
         let around = [self.previous(vertex), self.next(vertex)];
         let at = self.at(vertex);
         let places = [around[0], vertex, around[1]].map(|v| self.place(v));
@@ -72,6 +72,9 @@ impl Chains {
             // Towards the far side of the triangle.
             let other = points[1 - own];
             let sense = orientation(first, at, to);
+            if sense == 0.0 {
+                return orientation(first, at, other) == 0.0;
+            }
             return orientation(first, at, other) * sense >= 0.0
                 && orientation(first, to, other) * sense <= 0.0;
         }
@@ -84,7 +87,7 @@ impl Chains {
     }
 
     /// Moves a vertex.
-    pub(super) fn shift(&mut self, vertex: u32, to: DVec2, demands: &BoundaryDemands) {
+    pub(crate) fn shift(&mut self, vertex: u32, to: DVec2, why: Why, demands: &BoundaryDemands) {
         let Some((home, _)) = self.reach(vertex, demands) else { return };
         let before = self.previous(vertex);
         let off = self.vertices[vertex as usize].off;
@@ -93,7 +96,7 @@ impl Chains {
         if own.home.is_none() {
             own.home = Some(home);
             let (kind, edge) = (ChangeKind::Shifted, own.point.edge);
-            self.changes.push(BoundaryChange::of_edge(kind, home, Why::Narrow, edge));
+            self.changes.push(BoundaryChange::of_edge(kind, home, why, edge));
         }
         own.point.at = to;
         own.point.of = None;
