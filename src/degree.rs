@@ -50,7 +50,7 @@ pub(crate) fn run(arguments: &DegreeArguments) -> Result<(), Failure> {
     let mut text = report.text();
     text.extend(fewer(&report));
     if let Some(domain) = &domain {
-        text.extend(advice(domain, arguments.counts.path()));
+        text.push_str(&advice(std::slice::from_ref(domain), domain, arguments.counts.path()));
     }
     text.extend(lifting.map(|found| format!("With interior points: {}\n", found.text())));
     print(&text)
@@ -81,6 +81,7 @@ fn beside(arguments: &DegreeArguments, parts: &Parts) -> Result<(), Failure> {
         return print_json(&answer);
     }
     let mut text = answer.text();
+    text.push_str(&advice(domains, &parts.whole(), arguments.counts.path()));
     let known =
         liftings.iter().enumerate().filter_map(|(part, found)| Some((part, found.as_ref()?)));
     let least = known.min_by(|(_, a), (_, b)| a.limit.min_angle.total_cmp(&b.limit.min_angle));
@@ -132,9 +133,8 @@ fn fewer(report: &DegreeReport) -> Option<String> {
     Some(format!("hint: {words} and it is {}; mindeg suggest tells more.\n", suggestion.max_degree))
 }
 
-/// The meshes to take of a domain.
-fn advice(domain: &Domain, file: Option<&Path>) -> Option<String> {
+/// The meshes to take of the parts of a domain, which are called as `whole` is.
+fn advice(parts: &[Domain], whole: &Domain, file: Option<&Path>) -> String {
     // A domain without a mesh says so when it is meshed.
-    let advice = Advice::for_hint(domain, None, Progress::NONE).ok()?;
-    Some(advice.hints(&mesh_command(domain, file)) + "\n")
+    Advice::for_hint(parts, Progress::NONE).hints(&mesh_command(whole, file)) + "\n"
 }

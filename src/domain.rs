@@ -95,6 +95,21 @@ impl Parts {
         Ok(Self { name: polygons.name().map(str::to_owned), domains })
     }
 
+    /// The first part under the name of all.
+    pub(crate) fn whole(&self) -> Domain {
+        let first = &self.domains[0];
+        let named = self.name.as_deref().and_then(|name| first.clone().named(name).ok());
+        named.unwrap_or_else(|| first.clone())
+    }
+
+    /// The name of all within a sentence.
+    pub(crate) fn name_in_text(&self) -> String {
+        match (&self.name, &self.domains[..]) {
+            (None, [domain]) => name_in_text(domain).into_owned(),
+            (name, _) => shown(name.as_deref().unwrap_or("the map")).into_owned(),
+        }
+    }
+
     /// The failure of a part, which is named if there are several.
     pub(crate) fn failure(&self, (index, failure): (usize, Failure)) -> Failure {
         match &self.domains[..] {
@@ -210,7 +225,7 @@ pub(crate) fn opened(
     let input = Input::of(path);
     let name = input.name();
     let division = Division { corner_angle: options.corner_angle, size };
-    let OutlineOptions { project, repair, together, snap, fill_rule, .. } = *options;
+    let OutlineOptions { project, repair, separate, snap, fill_rule, .. } = *options;
     let selection = Selection { layer: options.layer.clone(), name_by: options.name_by.clone() };
     let (repair, parts_holes) = (repair || options.mends, options.mends);
     let feature = options.feature.clone();
@@ -220,7 +235,7 @@ pub(crate) fn opened(
         project,
         repair,
         parts_holes,
-        together,
+        separate,
         snap,
         fill_rule,
         division,

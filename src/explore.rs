@@ -10,9 +10,10 @@ use crate::provenance::domain_words;
 use crate::standard_output::print;
 use crate::terminal::say;
 use mindeg::Domain;
+use mindeg_answers::names::part_name;
 use mindeg_explore::{
-    KnownFiles, MAX_BYTES, REPAIRED, Repair, Server, ServerError, Setup, Source, least_repaired,
-    presets, sources,
+    KnownFiles, MAX_BYTES, REPAIRED, Server, ServerError, Setup, Source, presets,
+    repaired_if_refused, sources,
 };
 use mindeg_files::{Input, Wanted};
 use std::fs;
@@ -20,7 +21,7 @@ use std::path::Path;
 
 pub(crate) fn run(arguments: &ExploreArguments) -> Result<(), Failure> {
     let mut known = KnownFiles::default();
-    let start = start(&arguments.domain, &mut known)?;
+    let (start, choices) = start(&arguments.domain, &mut known)?;
     let surface = match &start {
         Some(source) if source.is_solid => surface(&arguments.domain)?,
         _ => Vec::new(),
@@ -28,7 +29,8 @@ pub(crate) fn run(arguments: &ExploreArguments) -> Result<(), Failure> {
     add_presets(&mut known);
     clean_up_on_interrupt()?;
     let purpose = arguments.purpose.purpose;
-    let setup = Setup { port: arguments.port.unwrap_or(0), start, surface, known, purpose };
+    let port = arguments.port.unwrap_or(0);
+    let setup = Setup { port, start, choices, surface, known, purpose };
     let failed = |error: ServerError| Failure::Io(error.to_string());
     let server = Server::new(setup).map_err(failed)?;
     let address = server.address();
@@ -40,51 +42,59 @@ pub(crate) fn run(arguments: &ExploreArguments) -> Result<(), Failure> {
     match server.run().map_err(failed)? {}
 }
 
-/// The domain of the command line, or the first of its file.
-fn start(arguments: &DomainArguments, known: &mut KnownFiles) -> Result<Option<Source>, Failure> {
+/// The domain of the command line, or the first of its file; then all, if there are several.
+fn start(
+    arguments: &DomainArguments,
+    known: &mut KnownFiles,
+) -> Result<(Option<Source>, Vec<Source>), Failure> {
     let file = arguments.file.as_deref();
     let words = domain_words(file);
-    let source = match file {
-        None if words.is_empty() => return Ok(None),
+    let (source, choices) = match file {
+        None if words.is_empty() => return Ok((None, Vec::new())),
         // Without options, rings that cross are repaired, too.
         Some(file) if words.len() == 1 => of_file(file, &words, known)?,
         _ => {
-            let (mut domains, repair) = domains(arguments)?;
-            let count = domains.len();
-            let mut source = Source::of(&domains.remove(0));
-            if repair != Repair::None {
-                source.notes.insert(0, REPAIRED.to_owned());
-            }
-            let more = (repair == Repair::Alone).then(|| "--repair".to_owned());
+            let (domains, is_repaired) = domains(arguments)?;
+            let several = domains.len() > 1;
+            let source = |(part, domain): (usize, &Domain)| {
+                let called = part_name(part, domain);
+                let called = (several && domain.name().is_none()).then_some(called);
+                let named = called.and_then(|called| domain.clone().named(called).ok());
+                let mut source = Source::of(named.as_ref().unwrap_or(domain));
+                if is_repaired {
+                    source.notes.insert(0, REPAIRED.to_owned());
+                }
+                source
+            };
+            let sources: Vec<Source> = domains.iter().enumerate().map(source).collect();
+            let more = is_repaired && !arguments.options.outline.repair;
+            let more = more.then(|| "--repair".to_owned());
             let words: Vec<String> = words.into_iter().chain(more).collect();
-            // Together, not every mesh of the command line is repaired.
-            if let (1, true, Some(domain)) = (count, repair != Repair::Together, &source.domain) {
+            if let ([_], Some(domain)) = (&sources[..], &sources[0].domain) {
                 known.add(&words, domain.get());
             }
-            tell_of_others(&mut source, count);
-            source
+            (sources[0].clone(), sources)
         }
     };
+    let choices = if choices.len() > 1 { choices } else { Vec::new() };
     match &source.message {
-        Some(_) if source.is_solid => Ok(Some(source)),
+        Some(_) if source.is_solid => Ok((Some(source), Vec::new())),
         Some(problem) => Err(Failure::Input(format!("{}: {problem}", source.name))),
-        None => Ok(Some(source)),
+        None => Ok((Some(source), choices)),
     }
 }
 
-/// The domains that the arguments describe, repaired where they are none otherwise.
-fn domains(arguments: &DomainArguments) -> Result<(Vec<Domain>, Repair), Failure> {
-    let read = |repair: Repair| {
+/// The domains that the arguments describe, repaired where they are none otherwise, and whether they are.
+fn domains(arguments: &DomainArguments) -> Result<(Vec<Domain>, bool), Failure> {
+    let read = |repair: bool| {
         let mut arguments = arguments.clone();
-        let outline = &mut arguments.options.outline;
-        outline.repair |= repair != Repair::None;
-        outline.together = repair == Repair::Together;
+        arguments.options.outline.repair |= repair;
         Ok(subject(&arguments, Wanted::Domain, &Bar::new(true))?.parts()?.domains)
     };
     if arguments.file.is_none() {
-        return Ok((read(Repair::None)?, Repair::None));
+        return Ok((read(false)?, false));
     }
-    least_repaired(read, |_| 0)
+    repaired_if_refused(read, |_| 0)
 }
 
 /// The bytes of the file of a surface, unless they are too many for the page.
@@ -103,8 +113,12 @@ fn surface(arguments: &DomainArguments) -> Result<Vec<u8>, Failure> {
     Ok(bytes)
 }
 
-/// The first domain of a file, or the surface in it.
-fn of_file(path: &Path, words: &[String], known: &mut KnownFiles) -> Result<Source, Failure> {
+/// The first domain of a file, or the surface in it; then all domains.
+fn of_file(
+    path: &Path,
+    words: &[String],
+    known: &mut KnownFiles,
+) -> Result<(Source, Vec<Source>), Failure> {
     let input = Input::of(path);
     let name = input.name();
     let mut sources = sources(&SESSION, &input)?;
@@ -112,10 +126,12 @@ fn of_file(path: &Path, words: &[String], known: &mut KnownFiles) -> Result<Sour
     if let Some(at) = sources.iter().position(|source| source.is_solid) {
         // The page asks for it under the name of the file alone.
         let name = path.file_name().map_or(name, |name| name.to_string_lossy().into_owned());
-        return Ok(Source { name, ..sources.swap_remove(at) });
+        known.add_surface(&name, &path.display().to_string());
+        return Ok((Source { name, ..sources.swap_remove(at) }, Vec::new()));
     }
     let problem = sources.first().and_then(|source| source.message.clone());
-    let Some(mut source) = sources.into_iter().find(|source| source.domain.is_some()) else {
+    sources.retain(|source| source.domain.is_some());
+    let Some(source) = sources.first().cloned() else {
         let problem = problem.unwrap_or_else(|| "it holds no polygon".to_owned());
         return Err(Failure::Input(format!("{name}: {problem}")));
     };
@@ -126,14 +142,7 @@ fn of_file(path: &Path, words: &[String], known: &mut KnownFiles) -> Result<Sour
             known.add(words, domain.get());
         }
     }
-    tell_of_others(&mut source, count);
-    Ok(source)
-}
-
-fn tell_of_others(source: &mut Source, count: usize) {
-    if count > 1 {
-        source.notes.push(format!("The file has {count} domains; {} is shown.", source.name));
-    }
+    Ok((source, sources))
 }
 
 /// The files of the presets, where they are: in a folder with mindeg's sources.

@@ -77,11 +77,7 @@ fn main() -> ExitCode {
         Err(error) => return without_a_run(&error, &words),
     };
     if let Command::Mesh(mesh) = &mut arguments.command {
-        mesh.domain.options.outline.together = mesh::is_one_mesh(mesh);
-    }
-    if let Command::Verify(verify) = &mut arguments.command {
-        // As the mesh was made.
-        verify.options.outline.together = verify.options.outline.feature.is_none();
+        mesh.domain.options.outline.separate = !mesh::is_one_mesh(mesh);
     }
     match run(&arguments.command) {
         Ok(()) => ExitCode::SUCCESS,

@@ -117,8 +117,11 @@ fn mesh_of(domain: &Domain, arguments: &MeshArguments, output: &[PathBuf]) -> Re
     let advice = || {
         // Of polygons that are meshed one by one, each would have its own.
         let is_told = !arguments.goal.is_empty() || arguments.separate;
-        let advice = || Advice::for_hint(domain, Some(&meshed), Progress::NONE).ok();
-        if is_told { None } else { advice() }
+        if is_told {
+            None
+        } else {
+            Some(Advice::for_hint(std::slice::from_ref(domain), Progress::NONE))
+        }
     };
     let hints = || {
         let file = arguments.domain.file.as_deref();

@@ -13,7 +13,7 @@ use crate::suggest::{left_out, spread};
 use crate::terminal::say;
 use mindeg::beside::each;
 use mindeg::exact::{self, TradeOff};
-use mindeg::{Domain, Goal, TriMesh, mesh};
+use mindeg::{Domain, TriMesh};
 use mindeg_answers::advice::{Advice, Purpose};
 use mindeg_answers::numbers::{percent, steady_angle};
 use mindeg_answers::trade_off::TradeOffAnswer;
@@ -60,13 +60,12 @@ pub(crate) fn run(arguments: &TradeoffArguments) -> Result<(), Failure> {
             parts.failure((index, failure))
         })?;
     let told = arguments.purpose.purpose;
-    let (answer, inside) = match &trade_offs[..] {
-        [one] => {
-            let (advice, inside) = advice(one.domain(), arguments.quiet);
-            (TradeOffAnswer { advice: Some(advice), ..TradeOffAnswer::of(one) }, inside)
-        }
-        all => (TradeOffAnswer::of_all(all), None),
+    let (advice, inside) = advice(&parts.domains, arguments.quiet);
+    let answer = match &trade_offs[..] {
+        [one] => TradeOffAnswer::of(one),
+        all => TradeOffAnswer::of_all(all),
     };
+    let answer = answer.with_advice(advice);
     let found = Found { answer, told, inside };
     let input = arguments.domain.file.as_deref();
     for ((path, out), write) in arguments.output.iter().zip(opened).zip(writers) {
@@ -111,14 +110,10 @@ fn draws(path: &Path) -> bool {
 }
 
 /// The meshes to take, and the one with points inside.
-fn advice(domain: &Domain, quiet: bool) -> (Advice, Option<TriMesh>) {
-    Bar::new(quiet).work(|progress| {
-        let Ok(fewest) = mesh(domain, Goal::LeastDegree, progress) else {
-            return (Advice::UNMEASURED, None);
-        };
-        let (advice, found) = Advice::with_mesh(domain, &fewest, progress);
-        (advice, found.map(|found| found.mesh))
-    })
+fn advice(domains: &[Domain], quiet: bool) -> (Advice, Option<TriMesh>) {
+    let found = Bar::new(quiet).work(|progress| Advice::with_mesh(domains, progress));
+    let Ok((advice, inside)) = found else { return (Advice::UNMEASURED, None) };
+    (advice, inside.map(|found| found.mesh))
 }
 
 fn table(answer: &TradeOffAnswer, limit: u32, told: Option<Purpose>) -> String {

@@ -3,16 +3,17 @@
 use crate::args::ViewArguments;
 use crate::bar::Bar;
 use crate::browser::listed;
-use crate::domain::{Subject, from_options, in_file, name_in_text};
+use crate::domain::{Parts, Subject, from_options, in_file};
 use crate::failure::Failure;
 use crate::interrupt::{SESSION, clean_up_on_interrupt};
 use crate::making::{WithFiles, wrote};
 use crate::mesh::meshed;
-use crate::provenance::provenance;
+use crate::provenance::{mesh_command, provenance};
 use crate::standard_output::print_json;
 use crate::terminal::say;
-use mindeg::{Domain, GoalKind, interior};
-use mindeg_answers::advice::Purpose;
+use mindeg::beside::mesh_all;
+use mindeg::{GoalKind, Progress, interior};
+use mindeg_answers::advice::{Advice, Purpose};
 use mindeg_answers::mesh::ListedMesh;
 use mindeg_compare::write_view;
 use mindeg_files::{Outputs, Wanted, is_standard_output, write_to};
@@ -36,14 +37,20 @@ pub(crate) fn run(arguments: &ViewArguments) -> Result<(), Failure> {
     let mut outputs = Outputs::new(&SESSION);
     // Refuse outputs that cannot be written before the work, which can take minutes.
     let out = outputs.open(output)?;
-    let (mesh, what) = match (subject, &arguments.file) {
+    let (mesh, what, hints) = match (subject, &arguments.file) {
         (Subject::Mesh(mesh), Some(path)) => {
             refuse_for_mesh(path, arguments)?;
-            (*mesh, path.display().to_string())
+            (*mesh, path.display().to_string(), None)
         }
         (subject, _) => {
-            let domain = subject.only()?;
-            (mesh_of(&domain, arguments, &bar)?, name_in_text(&domain).into_owned())
+            let parts = subject.parts()?;
+            let mesh = mesh_of(&parts, arguments, &bar)?;
+            let is_told = arguments.interior
+                || !arguments.goal.is_empty()
+                || arguments.quiet
+                || is_standard_output(output);
+            let hints = (!is_told && !has_interior(&parts)).then(|| hints(&parts, arguments));
+            (mesh, parts.name_in_text(), hints)
         }
     };
     let made_by = provenance(arguments.file.as_deref());
@@ -53,6 +60,7 @@ pub(crate) fn run(arguments: &ViewArguments) -> Result<(), Failure> {
     outputs.finish()?;
     drop(bar);
     if !arguments.quiet && !is_standard_output(output) {
+        hints.iter().for_each(|hints| say(hints));
         say(&wrote(&[output.display().to_string()]).unwrap_or_default());
     }
     if arguments.json {
@@ -91,15 +99,37 @@ fn refuse_for_mesh(path: &Path, arguments: &ViewArguments) -> Result<(), Failure
     }
 }
 
-/// The mesh of a domain as a list.
-fn mesh_of(domain: &Domain, arguments: &ViewArguments, bar: &Bar) -> Result<TriMesh, Failure> {
-    let purpose = arguments.goal.purpose;
-    let in_file = domain.interior().is_some() && arguments.goal.is_empty();
-    if arguments.interior || in_file || purpose == Some(Purpose::Solver) {
-        let wanted = domain.interior().cloned().unwrap_or_default();
-        let found = bar.work(|progress| interior::mesh(domain, &wanted, progress));
-        return Ok(found.map_err(Failure::input)?.mesh);
-    }
-    let mesh = bar.work(|progress| meshed(domain, arguments.goal.goal(), progress))?.mesh;
-    listed(&mesh)
+/// Whether the file of a domain asks for points inside.
+fn has_interior(parts: &Parts) -> bool {
+    parts.domains[0].interior().is_some()
+}
+
+/// The meshes to take of a domain that is shown by its mesh of least degree.
+fn hints(parts: &Parts, arguments: &ViewArguments) -> String {
+    let command = mesh_command(&parts.whole(), arguments.file.as_deref());
+    Advice::for_hint(&parts.domains, Progress::NONE).hints(&command)
+}
+
+/// The mesh of a domain, or of all parts of one, as a list.
+fn mesh_of(parts: &Parts, arguments: &ViewArguments, bar: &Bar) -> Result<TriMesh, Failure> {
+    let (first, purpose) = (&parts.domains[0], arguments.goal.purpose);
+    let in_file = has_interior(parts) && arguments.goal.is_empty();
+    let mesh = if arguments.interior || in_file || purpose == Some(Purpose::Solver) {
+        let wanted = first.interior().cloned().unwrap_or_default();
+        let found = bar.work(|progress| match &parts.domains[..] {
+            [domain] => interior::mesh(domain, &wanted, progress).map_err(|error| (0, error)),
+            parts => interior::mesh_all(parts, &wanted, progress),
+        });
+        found.map_err(|(index, error)| parts.failure((index, Failure::input(error))))?.mesh
+    } else if let [domain] = &parts.domains[..] {
+        listed(&bar.work(|progress| meshed(domain, arguments.goal.goal(), progress))?.mesh)?
+    } else {
+        let goal = arguments.goal.goal();
+        let found = bar.work(|progress| mesh_all(&parts.domains, goal, progress));
+        found.map_err(|(index, error)| parts.failure((index, Failure::input(error))))?.mesh
+    };
+    Ok(match &parts.name {
+        Some(name) => mesh.named(name.as_str()),
+        None => mesh,
+    })
 }

@@ -14,6 +14,9 @@ Vertices and sides are numbered from 0, counter-clockwise from the first corner;
 what you give are ``ValueError`` with what to do.
 """
 
+from inspect import signature as _signature
+from typing import TYPE_CHECKING as _TYPE_CHECKING
+
 from ._domain import Domain, polygon, rectangle
 from ._mesh import improve, mesh
 from ._mindeg import (
@@ -34,18 +37,22 @@ from ._mindeg import (
     stitch,
     verify,
 )
-from ._options import shows_its_types
+from ._options import shows_its_options as _shows_its_options
+from ._options import shows_its_types as _shows_its_types
 from ._progress import progress
 
-bridge = shows_its_types(bridge)
-bridge_loops = shows_its_types(bridge_loops)
-fill = shows_its_types(fill)
-fill_loop = shows_its_types(fill_loop)
-inspect = shows_its_types(inspect)
-read = shows_its_types(read)
-remesh = shows_its_types(remesh)
-stitch = shows_its_types(stitch)
-verify = shows_its_types(verify)
+if _TYPE_CHECKING:
+    import numpy.typing as npt
+
+bridge = _shows_its_types(bridge)
+bridge_loops = _shows_its_types(bridge_loops)
+fill = _shows_its_types(fill)
+fill_loop = _shows_its_types(fill_loop)
+inspect = _shows_its_types(inspect)
+read = _shows_its_types(read)
+remesh = _shows_its_types(remesh)
+stitch = _shows_its_types(stitch)
+verify = _shows_its_types(verify)
 
 #: The goals of ``Domain.mesh``: for each a dict with its key, what its value is, and what it asks for.
 GOALS = _goals()
@@ -115,6 +122,12 @@ def _add_methods():
 
         return to_pyvista(self)
 
+    @_shows_its_options()
+    def made(points: "npt.ArrayLike", triangles: "npt.ArrayLike", name: "str | None" = None) -> "Mesh":
+        return Mesh(points, triangles, name)
+
+    # A class in Rust has no types.
+    setattr(Mesh, "__signature__", _signature(made))
     for method in (plot, to_meshio, to_trimesh, to_pyvista):
         method.__qualname__ = f"Mesh.{method.__name__}"
         setattr(Mesh, method.__name__, method)

@@ -47,7 +47,13 @@ def test_help_shows_types(function):
     assert "'" not in str(signature).replace("'none'", "")
 
 
+def test_what_the_package_offers_is_what_it_says():
+    offered = {name for name in dir(mindeg) if not name.startswith("_")}
+    assert offered - {"batch"} == set(mindeg.__all__) - {"__version__"}
+
+
 def test_the_types_are_those_of_the_stub():
+    assert str(inspect.signature(mindeg.Mesh)) == "(points: ArrayLike, triangles: ArrayLike, name: str | None = None) -> Mesh"
     assert str(inspect.signature(mindeg.fill)) == (
         "(points: Mesh | ArrayLike, triangles: ArrayLike | None = None, *, interior: bool = False, "
         "through: Sequence[int] | None = None, max_degree: int | None = None, extra_area: float = 0.05, max_loop: int = 500) -> Mesh"

@@ -130,9 +130,9 @@ pub(crate) struct OutlineOptions {
     #[arg(skip)]
     pub(crate) mends: bool,
 
-    /// Whether polygons are regions of one mesh
+    /// Whether each polygon is wanted by itself
     #[arg(skip)]
-    pub(crate) together: bool,
+    pub(crate) separate: bool,
 
     /// How --repair finds the inside: evenodd or nonzero [default: the SVG's own, else evenodd]
     #[arg(long, value_name = "RULE", requires = "repair")]

@@ -71,7 +71,9 @@ impl Shape {
 }
 
 pub(crate) fn run(arguments: &DescribeArguments) -> Result<(), Failure> {
-    let subject = subject(&arguments.domain, Wanted::Domain, &Bar::new(true));
+    let mut domain = arguments.domain.clone();
+    domain.options.outline.separate = arguments.output.as_deref().is_none_or(is_pattern);
+    let subject = subject(&domain, Wanted::Domain, &Bar::new(true));
     if let Err(Failure::Domain { message, error }) = &subject
         && arguments.json
     {

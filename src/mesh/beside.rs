@@ -6,7 +6,10 @@ use crate::demands::met_or_written_anyway;
 use crate::domain::Parts;
 use crate::failure::Failure;
 use crate::making::Making;
+use crate::provenance::mesh_command_again;
+use mindeg::Progress;
 use mindeg::beside::mesh_all;
+use mindeg_answers::advice::Advice;
 use mindeg_answers::mesh::{MeshBesideAnswer, mesh_beside};
 
 /// Meshes all parts into the same files.
@@ -34,6 +37,15 @@ pub(super) fn run(parts: &Parts, arguments: &MeshArguments) -> Result<(), Failur
     let unmet = demands.unmet_by(&found.mesh, answer.all.min_angle);
     let end = met_or_written_anyway(&unmet, arguments.interior.wanted.write_anyway)?;
     let made = making.write(&found.mesh)?;
-    made.say(|| mesh_beside(&found, &answer, goal).join("\n"), || &answer)?;
+    let hints = || {
+        let advice = Advice::for_hint(&parts.domains, Progress::NONE);
+        advice.hints(&mesh_command_again(&parts.whole(), arguments.domain.file.as_deref()))
+    };
+    let text = || {
+        let mut lines = mesh_beside(&found, &answer, goal);
+        lines.extend(arguments.goal.is_empty().then(hints));
+        lines.join("\n")
+    };
+    made.say(text, || &answer)?;
     end
 }

@@ -4,6 +4,7 @@ use crate::args::MeshArguments;
 use crate::failure::Failure;
 use crate::named_files::{is_pattern, names, prepare, summed_up};
 use mindeg::Domain;
+use mindeg_answers::advice::Purpose;
 use mindeg_files::{Format, PolygonFile};
 use std::path::PathBuf;
 
@@ -12,7 +13,8 @@ pub(super) const SEPARATE: &str = "give --separate and a folder, such as -o mesh
 
 /// Whether the polygons of a file are regions of one mesh: with interior points, unless each is wanted by itself.
 pub(super) fn are_one_map(arguments: &MeshArguments) -> bool {
-    arguments.interior.interior && is_one_mesh(arguments)
+    let is_wanted = arguments.interior.interior || arguments.goal.purpose == Some(Purpose::Solver);
+    is_wanted && is_one_mesh(arguments)
 }
 
 /// Whether one mesh is wanted of all polygons.

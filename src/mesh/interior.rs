@@ -302,8 +302,11 @@ fn refused(domain: &Domain, wanted: &Interior, error: &InteriorError) -> Failure
         let words = lifting.text();
         return Failure::Input(format!("a minimum angle of {target}° is impossible. {words}"));
     }
-    // The library names its key.
-    Failure::input(error.to_string().replace("max_points", "--max-points"))
+    let option = match error {
+        InteriorError::TooManyPoints { .. } => " by --max-points",
+        _ => "",
+    };
+    Failure::Input(format!("{error}{option}"))
 }
 
 fn text(title: &str, found: &InteriorMesh, lifting: &Lifting, summary: &Summary<'_>) -> String {

@@ -99,7 +99,7 @@ test("a newcomer leaves with the mesh for a solver, or with the one for a patch"
   assert.match(patch, /^Degree 5/);
   assert.ok(angleOf(solver) > 5 * angleOf(patch), `${solver} | ${patch}`);
   const meshes = [];
-  for (const [purpose, degree, name] of [["solver", 7, "points-inside"], ["patch", 5, "keep-angle-95"], ["fewest", 4, "least-degree"]]) {
+  for (const [purpose, degree, name] of [["solver", 7, "points-inside"], ["patch", 5, "keep-angle-95"], ["fewest", 4, "fewest-edges"]]) {
     await page.locator(`[data-purpose=${purpose}]`).click();
     await answered(page);
     const { path } = await downloaded(page, "#download");
@@ -156,14 +156,14 @@ test("from any example a newcomer leaves within a minute with the mesh of the ad
  * of points inside of the mesh that is drawn under it, and the cards of the advice.
  */
 const watch = (page) => page.evaluate(async () => {
-  const { shown } = await import("/page/state.js");
+  const { selection, shown } = await import("/page/state.js");
   window.claims = [];
   const look = () => {
     const [figures, words, name] = [".figures", ".words-of", "h3"].map((part) => document.querySelector(`.mesh ${part}`).textContent);
     window.claims.push({
       title: document.querySelector("#title").textContent, name, figures, words, facts: document.querySelector("#facts").textContent,
       cards: [...document.querySelectorAll(".purpose .figures")].map((it) => it.textContent), advice: document.querySelector("#advice").textContent,
-      domain: shown.domain?.name ?? "",
+      domain: shown.domain?.name ?? "", drawn: shown.meshes.interior?.words ?? "", isHeld: selection.drag !== null,
     });
     if (window.claims.length < 3000) requestAnimationFrame(look);
   };
@@ -190,11 +190,15 @@ test("no figures stand under points inside but those of a mesh with points insid
   const claims = (await page.evaluate(() => window.claims)).filter(({ title }) => title === "many");
   const told = claims.filter(({ name, figures }) => name.startsWith("Points inside") && /\d°/.test(figures));
   assert.ok(told.length > 5, `${told.length} claims`);
-  for (const { words, figures } of told) {
+  for (const { words, figures, drawn } of told) {
     // Without points inside there are 160 vertices.
-    const isInside = /^160 boundary and \d+ interior vertices/.test(words) || Number(words.match(/^(\d+) vertices/)?.[1]) > 160;
+    const isInside = /^160 boundary and \d+ interior vertices/.test(drawn) || Number(drawn.match(/^(\d+) vertices/)?.[1]) > 160;
     assert.ok(isInside && !words.includes("No mesh of these points"), `${figures} ${words}`);
   }
+  // Drafts and meshes come in turn under one caption.
+  const held = claims.filter(({ isHeld, figures }) => isHeld && /°.*…/.test(figures));
+  assert.ok(held.length > 3, `${held.length} claims`);
+  assert.deepEqual([...new Set(held.map(({ name, words }) => `${name}|${words}`))], ["Points inside|While you drag, drafts are shown."]);
   assert.match(claims.at(-1).words, /boundary and \d+ interior vertices/);
   await page.context().close();
 });
@@ -235,7 +239,7 @@ test("refusals speak of the page's things, and no words of options that it lacks
   const said = await page.evaluate(async () => {
     const { domainTrouble } = await import("/page/show.js");
     const at = (message, path) => domainTrouble({ message, path });
-    return [at("line 1, column 60, holes[3].sides[0]: 0 intervals", "holes[3].sides[0]"), at("a side is too short", "sides[2].spacing"),
+    return [at("holes[3].sides[0]: 0 intervals", "holes[3].sides[0]"), at("a side is too short", "sides[2].spacing"),
       at("interior.sizes[0].from: no side is so called", null), at("it is 3.5 m [2]", null)];
   });
   assert.deepEqual(said, ["side 1 of hole 4: 0 intervals", "a side is too short (at spacing of side 3)", "from of size 1: no side is so called", "it is 3.5 m [2]"]);
@@ -736,8 +740,23 @@ test("sides are divided by a length, and a boundary is conditioned, with the com
     await answered(page);
     assert.ok((await count()) > 20, String(await count()));
     assert.match(await page.locator("#condition-command").textContent(), /^mindeg condition \S*strait\.csv --limit 25 -o strait-conditioned\.json$/);
+    // Lists of points are divided, too, as --size divides them.
+    await page.locator("#edge-size").fill("0.1");
+    await page.locator("#divide").click();
+    await page.waitForFunction(() => /^All sides get edges/.test(document.querySelector("#condition-words").textContent));
+    await answered(page);
+    assert.ok((await count()) > 200, String(await count()));
     await page.locator("#presets").selectOption("plate-with-holes");
     await answered(page);
+    // What nothing moves keeps its arcs, its sizes and its names.
+    await page.locator("#edge-size").fill("");
+    await page.locator("#condition-within").fill("0");
+    await page.locator("#condition").click();
+    await page.waitForFunction(() => /boundary points become/.test(document.querySelector("#condition-words").textContent));
+    await answered(page);
+    assert.match(await page.locator("#condition-command").textContent(), /^mindeg condition .* --limit 25 --within 0 -o plate/);
+    const bores = await page.evaluate(async () => (await import("/page/state.js")).state.domain.holes[0].sides);
+    assert.ok(bores[0].arc && bores[0].name === "left bore", JSON.stringify(bores));
     const before = await count();
     await page.locator("#edge-size").fill("0.2");
     await page.locator("#divide").click();
@@ -786,6 +805,30 @@ test("a boundary too large to compare all degrees still has advice", async () =>
   await answered(page);
   assert.match(await text(page, "#advice"), /^For a patch that must keep its points, take degree \d+: minimum angle .* For a solver, put points inside\.$/);
   assert.match(await text(page, "#curve-note"), /^Not compared: .*5000.*\.$/);
+  // No button promises a mesh that the page has not: the command stands in its place, and the picture has the boundary.
+  await page.locator("[data-purpose=solver]").click();
+  await answered(page);
+  for (const button of ["#download", "#download-main"]) assert.ok(!await page.locator(button).isVisible(), button);
+  assert.ok(await page.locator("#command").isVisible());
+  assert.match(await text(page, "#command"), / --interior /);
+  assert.match((await page.locator(".mesh .words-of").first().textContent()), /more than the page shows\. The command on this page/);
+  const picture = (await page.locator(".mesh .stage").first().screenshot()).toString("base64");
+  // The lines of the boundary are gray, the marks of corners are not.
+  const drawn = await page.evaluate(async (data) => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${data}`;
+    await image.decode();
+    const context = Object.assign(document.createElement("canvas"), { width: image.width, height: image.height }).getContext("2d");
+    context.drawImage(image, 0, 0);
+    const { data: dots } = context.getImageData(0, 0, image.width, image.height);
+    let count = 0;
+    for (let i = 0; i < dots.length; i += 4) if (dots[i] < 140 && Math.abs(dots[i] - dots[i + 2]) < 30) count += 1;
+    return count;
+  }, picture);
+  assert.ok(drawn > 400, `${drawn} dots`);
+  await page.locator("[data-purpose=patch]").click();
+  await answered(page);
+  assert.ok(await page.locator("#download").isVisible());
   assert.ok(!await page.locator("#curve").isVisible());
   await choose(page, "figure-1");
   assert.ok(await page.locator("#curve").isVisible());

@@ -332,3 +332,24 @@ fn a_poor_boundary_is_told_what_lifts_its_limit() {
     let run = mindeg_reading(["mesh", "-", "--interior", "-o", &out], tip);
     assert!(run.code == Some(0) && !run.errors.contains("hint"), "{run:?}");
 }
+
+/// A side that nothing moves keeps its law, its curve and its name; another is a list of its points.
+#[test]
+fn sides_that_stay_are_described_as_they_were() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("new.json").display().to_string();
+    let changed = |name: &str, limit: &str| -> serde_json::Value {
+        let run = mindeg(["condition", &domain(name), "--limit", limit, "-o", &out]);
+        assert_eq!(run.code, Some(0), "{}", run.errors);
+        serde_json::from_slice(&std::fs::read(&out).expect("a domain")).expect("JSON")
+    };
+    let channel = changed("boundary-layer-channel.json", "25");
+    let sides = channel["sides"].as_array().expect("a list");
+    for (side, name) in sides.iter().zip(["wall", "outlet", "symmetry", "inlet"]) {
+        assert_eq!(side["name"], name);
+        assert_eq!(side.get("points").is_some(), name == "wall", "{side}");
+        assert_eq!(side["spacing"].is_object(), ["outlet", "inlet"].contains(&name), "{side}");
+    }
+    let bore = &changed("plate-with-holes.json", "35")["holes"][0]["sides"][0];
+    assert!(bore["name"] == "left bore" && bore.get("arc").is_some(), "{bore}");
+}

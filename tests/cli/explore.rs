@@ -195,6 +195,15 @@ mod page {
                 assert!((told - is).abs() < 1e-9, "{file}, {purpose}, {key}: {told} {is}");
             }
         }
+        // The fewest edges are the first row, and the command of that row makes the same mesh.
+        let row = &figures["points"][0];
+        let limit = row["max_degree"].to_string();
+        let best = ["--max-degree", &limit, "--optimize", "angle", "--json", "-o", &out];
+        let made = mindeg([&["mesh", file], &best[..]].concat()).json();
+        for figure in [&shown["fewest"]["min_angle"], &made["min_angle"]] {
+            let [told, is] = [&row["min_angle"], figure].map(|it| it.as_f64().expect("a number"));
+            assert!((told - is).abs() < 1e-9, "{file}: {told} {is}");
+        }
         // The table has the mesh with points inside, too.
         let row = texts[0].lines().find(|line| line.ends_with("with points inside"));
         let row = row.expect("a row for points inside");
@@ -388,6 +397,29 @@ mod page {
         }
         let refused = mindeg(["explore", "--rectangle", "4x3", "--size", "1e-5"]);
         refused.refuses(&["domain: the outline has 1400000 points; the page takes up to 100000"]);
+    }
+
+    /// The page lists the polygons of the file that it starts with, and each has a name.
+    #[test]
+    fn a_file_of_several_polygons_has_all_of_them_at_the_start() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let islands = format!("{}/assets/outlines/islands.geojson", env!("CARGO_MANIFEST_DIR"));
+        for words in [&[&*islands][..], &[&*islands, "--size", "0.5"]] {
+            let page = Page::open(folder.path(), words);
+            let ask = |path: &str| -> Value {
+                serde_json::from_slice(&page.ask(path, &Value::Null)).expect("JSON")
+            };
+            let choices = ask("GET /api/start/choices");
+            let choices = choices.as_array().expect("a list");
+            assert!(choices.len() >= 3, "{words:?}: {choices:?}");
+            assert_eq!(choices[0]["domain"], ask("GET /api/start")["domain"]);
+            for choice in choices {
+                let name = choice["domain"]["name"].as_str().unwrap_or_default();
+                assert!(!name.is_empty() && choice["name"] != "domain", "{choice}");
+            }
+        }
+        let page = Page::open(folder.path(), &["--rectangle", "4x3", "--size", "1"]);
+        assert_eq!(page.ask("GET /api/start/choices", &Value::Null), b"[]");
     }
 
     #[test]

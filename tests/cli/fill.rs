@@ -335,12 +335,10 @@ fn the_rim_of_a_flat_sheet_stays_open_unless_it_is_named() {
         assert!(run.errors.contains(words), "{words}: {}", run.errors);
     }
     assert!(!run.errors.contains("cross"), "{}", run.errors);
-    mindeg(["fill", out, "-o", file]).refuses(&[
-        "no loop to fill",
-        "rim of a flat sheet",
-        "name it",
-        "--loop 1 fills the rim all the same",
-    ]);
+    let run = mindeg(["fill", out, "-o", file]);
+    // The way out is told once.
+    assert!(!run.errors.contains("name it"), "{}", run.errors);
+    run.refuses(&["no loop to fill", "rim of a flat sheet", "--loop 1 fills the rim all the same"]);
     let run = mindeg(["fill", out, "-o", &format!("{out}.obj"), "--loop", "1"]);
     assert!(run.errors.contains("filled 1 loop"), "{}", run.errors);
     assert!(!run.errors.contains("--loop"), "{}", run.errors);

@@ -341,7 +341,10 @@ fn maps_are_compared_region_by_region() {
     let names: Vec<_> =
         report["methods"].as_array().expect("a list").iter().map(|it| &it["name"]).collect();
     assert_eq!(names[..3], ["mindeg", "Delaunay", "Ear clipping"]);
-    assert_eq!(names[3..], ["mindeg, 95% of the angle", "mindeg, points inside"]);
+    assert_eq!(
+        names[3..],
+        ["mindeg, 95% of the angle", "mindeg, fewest edges", "mindeg, points inside"]
+    );
     let [own, delaunay, ears] = [0, 1, 2].map(|method| &report["methods"][method]);
     assert_eq!((own["max_degree"].as_u64(), own["valid"].as_bool()), (Some(6), Some(true)));
     assert!(delaunay["valid"] == true && delaunay["max_degree"].as_u64() > Some(6), "{delaunay}");
@@ -476,4 +479,55 @@ fn one_region_is_one_region() {
     assert_eq!(crate::run::mindeg(["mesh", &at("t.svg"), "-o", &at("t.obj")]).code, Some(0));
     let obj = std::fs::read_to_string(at("t.obj")).expect("a mesh");
     assert!(obj.contains("\n# 3 vertices, 1 triangle, maximum degree 2\n"), "{obj}");
+}
+
+/// Parts that share no edge have one advice, whose meshes have its figures.
+#[test]
+fn parts_of_a_map_have_the_same_advice_everywhere() {
+    let folder = tempdir().expect("a folder");
+    let at = |name: &str| folder.path().join(name);
+    let (file, out) = (at("parts.wkt"), at("mesh.obj"));
+    let parts =
+        "POLYGON((0 0, 1 0, 2 0, 2 0.3, 2 2, 0 2, 0 0.2)) POLYGON((5 0, 6 0, 9 0, 9 1, 5 1))";
+    fs::write(&file, parts).expect("a file");
+    let figures = mindeg(["tradeoff", text(&file), "--json"]).json();
+    let told = [
+        mindeg(["tradeoff", text(&file)]).text().to_owned(),
+        mindeg(["mesh", text(&file), "-o", text(&out)]).errors,
+        mindeg(["degree", text(&file)]).text().to_owned(),
+        mindeg(["view", text(&file), "-o", text(&at("page.html"))]).errors,
+    ];
+    for purpose in ["solver", "patch", "fewest"] {
+        let advised = &figures["advice"][purpose];
+        let words = ["mesh", text(&file), "--for", purpose, "--json", "-o", text(&out)];
+        let made = mindeg(words).json();
+        for key in ["max_degree", "min_angle"] {
+            let [told, is] = [advised, &made].map(|it| it[key].as_f64().expect("a number"));
+            assert!((told - is).abs() < 1e-9, "{purpose}, {key}: {told} {is}");
+        }
+        let angle = advised["min_angle"].as_f64().expect("a number");
+        for text in told.iter().filter(|_| purpose != "fewest") {
+            assert!(text.contains(&format!("minimum angle {angle:.3}°")), "{purpose}: {text}");
+        }
+    }
+    assert!(told[1].contains(" --interior\n") && told[1].contains(" --keep-angle 95%\n"));
+}
+
+/// Every command mends overlaps as `mesh` does, and `view` shows all parts.
+#[test]
+fn overlaps_are_repaired_alike_by_all_commands() {
+    let folder = tempdir().expect("a folder");
+    let at = |name: &str| folder.path().join(name);
+    let (file, page) = (at("land.wkt"), at("page.html"));
+    let land = "POLYGON((0 0, 5.02 0, 5.02 5, 0 5)) POLYGON((5 0, 10 0, 10 5, 5 5)) POLYGON((20 0, 25 0, 25 5))";
+    fs::write(&file, land).expect("a file");
+    for command in ["tradeoff", "degree", "view"] {
+        let output: &[&str] = if command == "view" { &["-o", text(&page)] } else { &[] };
+        let run = mindeg([&[command, text(&file), "--repair"], output].concat());
+        assert_eq!(run.code, Some(0), "{command}: {}", run.errors);
+        assert!(run.errors.contains("repaired 3 polygons together"), "{command}: {}", run.errors);
+    }
+    fs::write(&file, &land[..land.rfind(" POLYGON").expect("a polygon")]).expect("a file");
+    let run = mindeg(["compare", text(&file), "--repair", "-o", text(&page)]);
+    assert!(run.code == Some(0) && run.errors.contains("repaired 2 polygons"), "{}", run.errors);
 }

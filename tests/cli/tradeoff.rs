@@ -373,3 +373,22 @@ fn the_page_has_the_command_of_every_mesh() {
         assert!((made / angle - 1.0).abs() < 1e-9, "{made} {angle}");
     }
 }
+
+/// The mesh of the fewest edges is the one that the table has at its degree, where searches and windows find it.
+#[test]
+fn the_fewest_edges_of_a_domain_with_holes_are_the_first_row() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("mesh.obj").display().to_string();
+    let file = format!("{}/assets/outlines/part.dxf", env!("CARGO_MANIFEST_DIR"));
+    let answer = mindeg(["tradeoff", &file, "--json"]).json();
+    let first = &answer["points"][0];
+    let limit = first["max_degree"].to_string();
+    let angle = first["min_angle"].as_f64().expect("a number");
+    assert_eq!(answer["advice"]["fewest"]["max_degree"], first["max_degree"]);
+    let best: &[&str] = &["--max-degree", &limit, "--optimize", "angle"];
+    for options in [&["--for", "fewest"], best, &["--optimize", "angle"]] {
+        let words = [&["mesh", &file, "--json", "-o", &*out], options].concat();
+        let made = mindeg(words).json()["min_angle"].as_f64().expect("a number");
+        assert!((made - angle).abs() < 1e-9, "{options:?}: {made} {angle}");
+    }
+}

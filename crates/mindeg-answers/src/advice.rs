@@ -3,18 +3,19 @@
 //!
 //! Limits: the advice compares minimum angles and degrees alone.
 
-pub use crate::purpose::{KEPT, Purpose};
+pub use crate::purpose::{FEWEST, KEPT, Purpose};
 
 use crate::command::MeshCommand;
 use crate::numbers::{percent, steady_angle};
+use mindeg::beside::each;
 use mindeg::exact::share_of;
 use mindeg::interior::{self, InteriorError, InteriorMesh, InteriorReport};
 use mindeg::{Domain, Goal, Interior, MeshError, Meshed, Progress, mesh};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// A hint beside another answer has figures up to so many vertices: they take three meshes.
-const HINTED: u32 = 2000;
+/// A hint beside another answer has figures up to so many vertices: they take two meshes.
+const HINTED: usize = 2000;
 
 /// The most points of a mesh with points inside that is made for an advice, or that the page of `explore` shows.
 pub const MOST_POINTS: usize = 200_000;
@@ -31,7 +32,7 @@ const WORTH: f64 = 1.05;
 /// use mindeg_answers::advice::{Advice, Purpose};
 ///
 /// let domain = Domain::rectangle(4.0, 3.0, [12, 9, 4, 4].map(Side::count).into())?;
-/// let advice = Advice::of(&domain, Progress::NONE)?;
+/// let advice = Advice::of(&[domain], Progress::NONE).map_err(|(_, error)| error)?;
 /// assert_eq!(advice.first, Purpose::Solver);
 /// assert_eq!(advice.patch.unwrap().max_degree, 6);
 /// assert!(advice.sentence(Purpose::Patch).starts_with("For a patch that must keep its points, take degree 6:"));
@@ -47,7 +48,7 @@ pub struct Advice {
     pub no_solver: Option<String>,
     /// Of boundary points alone, with 95% of the largest minimum angle that they allow; null if it was not made.
     pub patch: Option<AdvisedMesh>,
-    /// Of the least maximum degree; null if it was not made.
+    /// Of the least maximum degree, with the largest angle that is found; null if it was not made.
     pub fewest: Option<AdvisedMesh>,
 }
 
@@ -72,6 +73,23 @@ impl AdvisedMesh {
             min_angle,
             share_of_delaunay: meshed.delaunay_min_angle.map(|most| share_of(min_angle, most)),
         }
+    }
+
+    /// The figures of the mesh of all parts of a domain: the highest degree, and the least angle. None of no part.
+    #[must_use]
+    pub fn of_all(parts: &[Meshed]) -> Option<Self> {
+        if let [meshed] = parts {
+            return Some(Self::of(meshed));
+        }
+        let all: Vec<Self> = parts.iter().map(Self::of).collect();
+        let min_angle = all.iter().map(|part| part.min_angle).reduce(f64::min)?;
+        let most = parts.iter().map(|part| part.delaunay_min_angle).collect::<Option<Vec<_>>>();
+        let most = most.and_then(|most| most.into_iter().reduce(f64::min));
+        Some(Self {
+            max_degree: all.iter().map(|part| part.max_degree).max()?,
+            min_angle,
+            share_of_delaunay: most.map(|most| share_of(min_angle, most)),
+        })
     }
 
     /// The figures of a mesh with points inside.
@@ -114,66 +132,77 @@ pub fn advised_interior(domain: &Domain) -> Interior {
     Interior { max_points: Some(most), ..wanted }
 }
 
+/// The meshes of the parts of a domain.
+fn meshed(
+    domains: &[Domain],
+    goal: Goal,
+    progress: Progress<'_>,
+) -> Result<Vec<Meshed>, (usize, MeshError)> {
+    each(domains, "triangulating", progress, |domain, progress| mesh(domain, goal, progress))
+}
+
 impl Advice {
     /// The advice without figures.
     pub const UNMEASURED: Self =
         Self { first: Purpose::Solver, solver: None, no_solver: None, patch: None, fewest: None };
 
-    /// The advice on a domain, for which three meshes are made.
+    /// The advice on a domain, or on the parts of one that share no edge, for which three meshes are made.
     ///
     /// # Errors
     ///
-    /// The errors of [`mesh`] for the mesh of least degree. Other meshes that cannot be made are left out.
-    pub fn of(domain: &Domain, progress: Progress<'_>) -> Result<Self, MeshError> {
-        let fewest = mesh(domain, Goal::LeastDegree, progress)?;
-        Ok(Self::beside(domain, &fewest, progress))
-    }
-
-    /// The same for a domain whose mesh of least degree is there.
-    #[must_use]
-    pub fn beside(domain: &Domain, fewest: &Meshed, progress: Progress<'_>) -> Self {
-        Self::with_mesh(domain, fewest, progress).0
+    /// The errors of [`mesh`] for the mesh of least degree, with the index of the part. Other meshes that cannot be made are left out.
+    pub fn of(domains: &[Domain], progress: Progress<'_>) -> Result<Self, (usize, MeshError)> {
+        Ok(Self::with_mesh(domains, progress)?.0)
     }
 
     /// The same, and the mesh with points inside, if there is one.
-    #[must_use]
+    ///
+    /// # Errors
+    ///
+    /// The errors of [`Advice::of`].
     pub fn with_mesh(
-        domain: &Domain,
-        fewest: &Meshed,
+        domains: &[Domain],
+        progress: Progress<'_>,
+    ) -> Result<(Self, Option<InteriorMesh>), (usize, MeshError)> {
+        let fewest = meshed(domains, FEWEST, progress)?;
+        Ok(Self::beside(domains, AdvisedMesh::of_all(&fewest), progress))
+    }
+
+    /// The same, with the mesh of the fewest edges if it is there.
+    fn beside(
+        domains: &[Domain],
+        fewest: Option<AdvisedMesh>,
         progress: Progress<'_>,
     ) -> (Self, Option<InteriorMesh>) {
-        let patch = mesh(domain, Goal::KeepAngle(KEPT), progress).ok();
-        let solver = interior::mesh(domain, &advised_interior(domain), progress);
+        let patch = meshed(domains, Goal::KeepAngle(KEPT), progress).ok();
+        let solver = match domains {
+            [domain] => interior::mesh(domain, &advised_interior(domain), progress),
+            parts => {
+                let wanted = parts.first().map(advised_interior).unwrap_or_default();
+                interior::mesh_all(parts, &wanted, progress).map_err(|(_, error)| error)
+            }
+        };
         let advice = Self::among(
             solver
                 .as_ref()
                 .map(|found| AdvisedMesh::of_interior(&found.report))
                 .map_err(Into::into),
-            patch.as_ref().map(AdvisedMesh::of),
-            Some(AdvisedMesh::of(fewest)),
+            patch.as_deref().and_then(AdvisedMesh::of_all),
+            fewest,
         );
         (advice, solver.ok())
     }
 
-    /// The advice for a hint beside another answer, which must not wait for it: with figures where they take little time.
-    /// `fewest` is the mesh of least degree, if it is there.
-    ///
-    /// # Errors
-    ///
-    /// The errors of [`Advice::of`].
-    pub fn for_hint(
-        domain: &Domain,
-        fewest: Option<&Meshed>,
-        progress: Progress<'_>,
-    ) -> Result<Self, MeshError> {
-        let inside = u32::try_from(domain.inner_points().len()).unwrap_or(u32::MAX);
-        if domain.rings().vertex_count().saturating_add(inside) > HINTED {
-            return Ok(Self::UNMEASURED);
+    /// The advice for a hint beside another answer, which must not wait for it: with figures where they take little time, and
+    /// without the mesh of the fewest edges, which no hint names.
+    #[must_use]
+    pub fn for_hint(domains: &[Domain], progress: Progress<'_>) -> Self {
+        let points =
+            |domain: &Domain| domain.rings().vertex_count() as usize + domain.inner_points().len();
+        if domains.iter().map(points).sum::<usize>() > HINTED {
+            return Self::UNMEASURED;
         }
-        match fewest {
-            Some(fewest) => Ok(Self::beside(domain, fewest, progress)),
-            None => Self::of(domain, progress),
-        }
+        Self::beside(domains, None, progress).0
     }
 
     /// The advice where meshes were made already: with points inside, that keeps its points, and of least degree.

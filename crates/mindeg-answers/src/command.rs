@@ -98,7 +98,10 @@ impl MeshCommand {
     pub fn advised(&self, purpose: Purpose) -> String {
         match purpose {
             Purpose::Solver => self.line(self.inside, POINTS_INSIDE),
-            purpose => self.of_boundary_alone(purpose.options()),
+            Purpose::Fewest => {
+                self.line(&[purpose.options(), self.boundary_alone].concat(), FEWEST_EDGES)
+            }
+            Purpose::Patch => self.of_boundary_alone(purpose.options()),
         }
     }
 
@@ -135,6 +138,9 @@ impl MeshCommand {
 
 /// The mesh with points inside, in words for the name of its file.
 pub const POINTS_INSIDE: &str = "points inside";
+
+/// The mesh of the fewest edges at a vertex, in words for the name of its file.
+pub const FEWEST_EDGES: &str = "fewest edges";
 
 /// The mesh of least degree, in words for the name of its file.
 pub const LEAST_DEGREE: &str = "least degree";
@@ -214,7 +220,7 @@ mod tests {
             assert_eq!(command(&[input], "").advised(Purpose::Patch), line);
         }
         let fewest = command(&["a"], r#", "name": "A b""#).advised(Purpose::Fewest);
-        assert_eq!(fewest, "mindeg mesh a -o a-b-least-degree.obj");
+        assert_eq!(fewest, "mindeg mesh a --optimize angle -o a-b-fewest-edges.obj");
         let command = command(&["-", "--repair"], "");
         assert_eq!(
             command.advised(Purpose::Solver),
@@ -264,7 +270,8 @@ mod tests {
             let lines = [Purpose::Solver, Purpose::Fewest].map(|purpose| command.advised(purpose));
             let expected = format!("mindeg mesh a.json {inside} -o mesh-points-inside.obj");
             assert_eq!(lines[0], expected, "{more}");
-            let expected = format!("mindeg mesh a.json{fewest} -o mesh-least-degree.obj");
+            let expected =
+                format!("mindeg mesh a.json --optimize angle{fewest} -o mesh-fewest-edges.obj");
             assert_eq!(lines[1], expected, "{more}");
         }
     }

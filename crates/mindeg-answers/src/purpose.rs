@@ -1,12 +1,15 @@
 //! The purposes of meshes, and the options that serve each.
 
-use mindeg::Goal;
+use mindeg::{Goal, Optimized};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::str::FromStr;
 
 /// The share of Delaunay's minimum angle that a patch keeps, at least.
 pub const KEPT: f64 = 0.95;
+
+/// The goal of the fewest edges: the mesh that the trade-off has at the least degree.
+pub const FEWEST: Goal = Goal::Optimize(Optimized::Angle);
 
 /// The purpose of a mesh.
 ///
@@ -24,7 +27,7 @@ pub enum Purpose {
     Solver,
     /// A first mesh that must keep its points: the least degree that keeps [`KEPT`] of the angle.
     Patch,
-    /// The fewest edges at a vertex.
+    /// The fewest edges at a vertex, and the largest angle with them.
     Fewest,
 }
 
@@ -58,7 +61,7 @@ impl Purpose {
         match self {
             Self::Solver => &["--interior"],
             Self::Patch => &["--keep-angle", "95%"],
-            Self::Fewest => &[],
+            Self::Fewest => &["--optimize", "angle"],
         }
     }
 
@@ -68,7 +71,7 @@ impl Purpose {
         match self {
             Self::Solver => None,
             Self::Patch => Some(Goal::KeepAngle(KEPT)),
-            Self::Fewest => Some(Goal::LeastDegree),
+            Self::Fewest => Some(FEWEST),
         }
     }
 }

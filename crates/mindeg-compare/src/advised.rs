@@ -14,7 +14,7 @@ pub(crate) fn advised(report: &Report) -> Vec<(Purpose, Method)> {
             report.methods.iter().find(has_mesh).map(|it| it.method)
         }
         Purpose::Patch => patch(report).map(|it| it.method),
-        Purpose::Fewest => Some(Method::LeastDegree),
+        Purpose::Fewest => Some(fewest(report)),
     };
     let purposes = report.advice.purposes(report.purpose);
     let meshes = purposes.into_iter().filter_map(|purpose| Some((purpose, mesh(purpose)?)));
@@ -35,6 +35,19 @@ pub(crate) fn patch(report: &Report) -> Option<&MethodFigures> {
     all.clone()
         .find(is_kept)
         .or_else(|| all.min_by(|a, b| b.min_angle.partial_cmp(&a.min_angle).unwrap_or(Equal)))
+}
+
+/// The mesh of the fewest edges: that of `--for fewest`.
+fn fewest(report: &Report) -> Method {
+    let is_best = |method: &&MethodFigures| match method.method {
+        Method::Fewest => true,
+        Method::Exact { max_degree } => {
+            report.advice.fewest.is_some_and(|fewest| fewest.max_degree == max_degree)
+        }
+        _ => false,
+    };
+    let best = report.methods.iter().find(is_best);
+    best.map_or(Method::LeastDegree, |method| method.method)
 }
 
 /// The mesh that a method has, under whatever name the report shows it.

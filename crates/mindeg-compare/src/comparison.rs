@@ -8,7 +8,7 @@ use crate::{Method, NoTriangulation, measure, regions, verdict};
 use glam::DVec2;
 use mindeg::exact::{self, ExactMesh, TradeOff};
 use mindeg::{Domain, Goal, MeshError, Progress, Rings, Step};
-use mindeg_answers::advice::{Advice, AdvisedMesh, KEPT, Purpose, advised_interior};
+use mindeg_answers::advice::{Advice, AdvisedMesh, FEWEST, KEPT, Purpose, advised_interior};
 use mindeg_answers::trade_off::TradeOffAnswer;
 use mindeg_mesh::planar::PlanarBoundary;
 use std::ops::ControlFlow;
@@ -220,19 +220,22 @@ pub fn compare(domain: &Domain, options: &CompareOptions) -> Result<Comparison, 
         false => advised_interior(domain),
     };
     let inside = interior::inside(domain, &wanted, options.time_limit);
-    let patch = mindeg::mesh(domain, Goal::KeepAngle(KEPT), Progress::NONE).ok();
+    let [patch, fewest] =
+        [Goal::KeepAngle(KEPT), FEWEST].map(|goal| mindeg::mesh(domain, goal, Progress::NONE).ok());
     let advice = Advice::among(
         inside
             .as_ref()
             .map(|(found, _)| AdvisedMesh::of_interior(&found.report))
             .map_err(Into::into),
         patch.as_ref().map(AdvisedMesh::of),
-        Some(AdvisedMesh::of(&meshed)),
+        fewest.as_ref().map(AdvisedMesh::of),
     );
-    // Where the trade-off was not worked out, no method has that mesh.
-    if let Some(patch) = patch.filter(|_| trade_off.is_none()) {
-        let list: Vec<[u32; 3]> = patch.mesh.triangles().collect();
-        methods.push(figures(Method::Kept, &list));
+    // Where the trade-off was not worked out, no method has these meshes.
+    let advised = [(patch, Method::Kept), (fewest, Method::Fewest)];
+    for (advised, method) in advised.into_iter().filter(|_| trade_off.is_none()) {
+        let Some(advised) = advised else { continue };
+        let list: Vec<[u32; 3]> = advised.mesh.triangles().collect();
+        methods.push(figures(method, &list));
         triangles.push(list);
     }
     let mut interior = Vec::new();

@@ -30,6 +30,8 @@ pub enum Method {
     },
     /// mindeg's mesh of the least degree that keeps 95% of Delaunay's minimum angle.
     Kept,
+    /// mindeg's mesh of the least degree that is found, with the largest angle that is found with it.
+    Fewest,
     /// mindeg's mesh with points inside.
     Inside,
 }
@@ -55,6 +57,9 @@ impl Method {
             Self::Kept => "The mesh of mindeg mesh --keep-angle 95%: the smallest maximum degree that is \
                            reached with this share of Delaunay's minimum angle."
                 .into(),
+            Self::Fewest => "The mesh of mindeg mesh --for fewest: the smallest maximum degree that is \
+                             reached, and the largest minimum angle that is reached with it."
+                .into(),
             Self::Inside => "The mesh of mindeg mesh --interior: points are packed from the boundary \
                              inwards, then an optimiser moves them and turns edges for degrees and angles."
                 .into(),
@@ -69,6 +74,7 @@ impl Display for Method {
             Self::Reference(reference) => formatter.write_str(reference.name()),
             Self::Exact { max_degree } => write!(formatter, "Exact, degree {max_degree}"),
             Self::Kept => formatter.write_str("mindeg, 95% of the angle"),
+            Self::Fewest => formatter.write_str("mindeg, fewest edges"),
             Self::Inside => formatter.write_str("mindeg, points inside"),
         }
     }

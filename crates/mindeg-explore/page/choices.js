@@ -17,7 +17,7 @@ let keys = [];
 const PURPOSES = {
   solver: { title: "A solver", what: "points inside, for large angles", view: "interior" },
   patch: { title: "A patch", what: "keeps its points, and 95% of the angle", view: "wanted", goal: { keep_angle: 0.95 } },
-  fewest: { title: "Fewest edges", what: "at a vertex, however thin the triangles", view: "wanted", goal: "least_degree" },
+  fewest: { title: "Fewest edges", what: "at a vertex, however thin the triangles", view: "wanted", goal: { optimize: "angle" } },
 };
 
 const isSameGoal = (a, b) => JSON.stringify(a) === JSON.stringify(b);

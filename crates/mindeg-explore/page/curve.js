@@ -20,6 +20,18 @@ export function percent(share) {
   return share > 0.999 && share < 1 ? ">99.9%" : `${(100 * share).toFixed(1)}%`;
 }
 
+/** So many degrees are listed at once, and have large points on the curve. */
+const LISTED = 12;
+/** Numbers on the axis of degrees are so far apart, at least. */
+const APART = 34;
+
+/** The points to list: all, or some that are spread over the curve, with the one that is advised and the one that is shown. */
+export function listedPoints({ points, advised }, shown) {
+  if (points.length <= LISTED) return points;
+  const spread = new Set(Array.from({ length: LISTED - 2 }, (_, i) => Math.round((i * (points.length - 1)) / (LISTED - 3))));
+  return points.filter(({ max_degree: degree }, place) => spread.has(place) || degree === advised || degree === shown);
+}
+
 /** Round steps of an axis up to `highest`. */
 function steps(highest, most) {
   const raw = highest / most;
@@ -49,17 +61,21 @@ export function showCurve(box, rows, curve, inside, shown, choose) {
   const highest = Math.max(curve.delaunay_min_angle, inside?.min_angle ?? 0, ...points.map(({ min_angle }) => min_angle)) || 1;
   const x = (degree) => LEFT + 20 + ((degree - from) / (to - from + 0.35)) * (WIDTH - LEFT - RIGHT - 20);
   const y = (angle) => HEIGHT - BOTTOM - (angle / highest) * (HEIGHT - TOP - BOTTOM);
-  const told = points.map(({ max_degree, min_angle }) => `degree ${max_degree}: ${angleText(min_angle)}`).join(", ");
+  const listed = listedPoints(curve, shown);
+  const told = listed.map(({ max_degree, min_angle }) => `degree ${max_degree}: ${angleText(min_angle)}`).join(", ");
   const svg = draw("svg", { class: "plot small", viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "img", "aria-label": `The curve: ${told}` });
   for (const angle of steps(highest, 4)) {
     svg.append(draw("path", { class: "grid", d: `M${LEFT} ${y(angle)}H${WIDTH - RIGHT}` }));
     svg.append(draw("text", { class: "tick", "text-anchor": "end", x: LEFT - 8, y: y(angle) + 4 }, `${angle}°`));
   }
-  const every = Math.ceil(degrees.length / 9);
-  [...new Set(degrees)].forEach((degree, place) => {
-    if (place % every) return;
+  const numbered = [];
+  // Degrees that are proposed have a number in any case.
+  const proposed = [inside?.max_degree, curve.advised, points[0].max_degree].filter((degree) => degree !== undefined && degree !== null);
+  for (const degree of [...proposed, ...listed.map(({ max_degree: listedDegree }) => listedDegree)]) {
+    if (numbered.some((other) => other === degree || Math.abs(x(other) - x(degree)) < APART)) continue;
+    numbered.push(degree);
     svg.append(draw("text", { class: "tick", "text-anchor": "middle", x: x(degree), y: HEIGHT - BOTTOM + 18 }, String(degree)));
-  });
+  }
   svg.append(draw("path", { class: "axis", d: `M${LEFT} ${HEIGHT - BOTTOM}H${WIDTH - RIGHT}` }));
   svg.append(draw("text", { class: "tick", "text-anchor": "middle", x: (LEFT + WIDTH - RIGHT) / 2, y: HEIGHT - 4 }, "maximum degree"));
   const ceiling = y(curve.delaunay_min_angle);
@@ -72,14 +88,16 @@ export function showCurve(box, rows, curve, inside, shown, choose) {
     const group = draw("g", { class: "pick" });
     group.append(draw("title", {}, `Show ${title}: ${angleText(min_angle)}`));
     const at = { cx: x(max_degree), cy: y(min_angle) };
-    group.append(draw("circle", { class: "target", ...at, r: 16 }));
+    const isSmall = value !== "inside" && !listed.some((point) => point.max_degree === value);
+    group.append(draw("circle", { class: "target", ...at, r: isSmall ? 4 : 16 }));
     if (value === shown) group.append(draw("circle", { class: "advised", ...at, r: 11 }));
-    group.append(draw("circle", { class: "point ringed", ...at, r: 6 }));
+    group.append(draw("circle", { class: isSmall ? "point" : "point ringed", ...at, r: isSmall ? 2 : 6 }));
     group.dataset.degree = value;
     group.addEventListener("click", () => choose(value));
     svg.append(group);
   };
-  for (const point of points) mark(point.max_degree, `degree ${point.max_degree}`, point);
+  // Large targets lie below small ones.
+  for (const point of [...listed, ...points.filter((other) => !listed.includes(other))]) mark(point.max_degree, `degree ${point.max_degree}`, point);
   if (inside) {
     mark("inside", "points inside", inside);
     const isLeft = x(inside.max_degree) > WIDTH / 2;
@@ -89,8 +107,9 @@ export function showCurve(box, rows, curve, inside, shown, choose) {
   box.replaceChildren(svg);
 }
 
-/** One button for points inside and one for each degree, with its angle. */
-function showRows(rows, { points }, inside, shown, choose) {
+/** One button for points inside and one for each degree that is listed, with its angle. */
+function showRows(rows, curve, inside, shown, choose) {
+  const points = listedPoints(curve, shown);
   const all = [...(inside ? [{ value: "inside", ...inside }] : []), ...points.map((point) => ({ value: point.max_degree, ...point }))];
   // Buttons are kept, so that the one with the focus keeps it.
   while (rows.children.length > all.length) rows.lastChild.remove();

@@ -81,20 +81,6 @@ export function isKnown(domain, shown) {
   });
 }
 
-/** The domain with sides divided into intervals of a length; null where all of them are points, which stay as they are. */
-export function dividedBy(domain, size) {
-  const divided = { ...copy(domain), size };
-  const holders = [divided, ...(divided.holes ?? [])].filter((holder, ring) => !isPoints(divided, ring) && !holder.sides?.every(({ points }) => points));
-  if (!holders.length) return null;
-  for (const holder of holders) {
-    if (holder !== divided) delete holder.size;
-    // What has points of its own keeps them, and the law of a list of parameters has its own count.
-    holder.sides = holder.sides?.map(({ intervals: _, size: __, spacing, ...kept }) => ({ ...kept, ...(spacing && !spacing.parameters ? { spacing } : {}) }));
-    if (!holder.sides) delete holder.sides;
-  }
-  return divided;
-}
-
 /** The sides of a ring in the JSON, one entry for each. */
 function sidesOf(domain, ring) {
   const holder = sidesHolder(domain, ring);

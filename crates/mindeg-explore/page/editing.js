@@ -3,12 +3,12 @@
 
 import { apply, ask } from "./asking.js";
 import { showInterior } from "./choices.js";
-import { addCorner, addHole, addSize, corners, dividedBy, isKnown, moveCorner, removeCorner, removeHole, sidePlace } from "./domain.js";
+import { addCorner, addHole, addSize, corners, isKnown, moveCorner, removeCorner, removeHole, sidePlace } from "./domain.js";
 import { cornerAt, gridStep, sideAt, snapped } from "./editor.js";
 import { listInside } from "./inside.js";
 import { redraw, setCursor, stages } from "./pictures.js";
 import * as server from "./server.js";
-import { domainTrouble, element, showTrouble, showUndo } from "./show.js";
+import { domainTrouble, element, inWords, showTrouble, showUndo } from "./show.js";
 import { SidesTable } from "./sides.js";
 import { bounds, view } from "./stage.js";
 import { remember, selection, shown, state } from "./state.js";
@@ -139,14 +139,25 @@ export function forgetEdges(isRefused) {
 }
 
 /** Divides all sides by the length that is given. */
-function divide() {
+async function divide() {
   const size = element("edge-size").valueAsNumber;
   if (!(size > 0)) return tellOfEdges("Give the length of edges first.");
-  const divided = dividedBy(state.domain, size);
-  if (!divided) return tellOfEdges("This boundary is a list of points, which stay as they are; “Change the boundary” gives edges of that length.");
-  letGo();
-  apply(divided);
-  tellOfEdges(`Sides with corners get edges of about ${size}, as --size ${size} makes them.`);
+  if (await change((before) => server.divide(before, size))) tellOfEdges(`All sides get edges of about ${size}, as --size ${size} makes them.`);
+}
+
+/** Takes the domain that is made of this one; whether there is one, and the reader has not gone on meanwhile. */
+async function change(made) {
+  const before = state.domain;
+  tellOfEdges("Working …");
+  try {
+    const domain = await made(before);
+    if (state.domain !== before) return tellOfEdges("");
+    letGo();
+    apply(domain);
+    return true;
+  } catch (error) {
+    tellOfEdges(inWords(error.message));
+  }
 }
 
 /** Says what became of the edges, with the command that does the same; of another domain that is not said. */
@@ -159,17 +170,13 @@ function tellOfEdges(words, command = null) {
 
 /** Changes the boundary so that a mesh with points inside can have the angle. */
 async function conditionIt() {
-  const before = state.domain;
-  tellOfEdges("Working …");
-  try {
-    const { domain, words, command } = await server.condition(before, element("condition-angle").valueAsNumber || 25, element("edge-size").valueAsNumber);
-    if (state.domain !== before) return tellOfEdges("");
-    letGo();
-    apply(domain);
-    tellOfEdges(words, command);
-  } catch (error) {
-    tellOfEdges(error.message);
-  }
+  const [angle, size, within] = ["condition-angle", "edge-size", "condition-within"].map((id) => element(id).valueAsNumber);
+  let told;
+  const isDone = await change(async (before) => {
+    told = await server.condition(before, angle || 25, size, within);
+    return told.domain;
+  });
+  if (isDone) tellOfEdges(told.words, told.command);
 }
 
 function remove() {

@@ -200,17 +200,22 @@ async function open(file) {
     if (!usable.length) throw new Error(sources[0]?.message ?? `${file.name} has no polygon.`);
     showTrouble("");
     beginWith(usable[0]);
-    const box = element("choose");
-    box.hidden = usable.length < 2;
-    box.replaceChildren(...usable.map((source) => {
-      const button = make("button", "", source.name);
-      button.type = "button";
-      button.addEventListener("click", () => beginWith(source));
-      return button;
-    }));
+    offerChoices(usable);
   } catch (error) {
     showTrouble(error.message);
   }
+}
+
+/** Offers the polygons of a file by name, if there are several. */
+function offerChoices(sources) {
+  const box = element("choose");
+  box.hidden = sources.length < 2;
+  box.replaceChildren(...sources.map((source) => {
+    const button = make("button", "", source.name);
+    button.type = "button";
+    button.addEventListener("click", () => beginWith(source));
+    return button;
+  }));
 }
 
 function beginWith({ domain, notes }) {
@@ -263,8 +268,9 @@ async function start() {
   let kept = null;
   let presets;
   let source;
+  let polygons;
   try {
-    [facts, presets, source] = await Promise.all(["facts", "presets", "start"].map((name) => server.getJson(`/api/${name}`)));
+    [facts, presets, source, polygons] = await Promise.all(["facts", "presets", "start", "start/choices"].map((name) => server.getJson(`/api/${name}`)));
     if (server.firstState) kept = await server.getJson(`/api/state/${server.firstState}`).catch(() => null);
   } catch (error) {
     element("facts").textContent = "";
@@ -289,6 +295,7 @@ async function start() {
     const preset = presets.find(({ name }) => name === target.value);
     if (!preset) return;
     endSolid();
+    offerChoices([]);
     guessAgain();
     begin(preset.domain, preset.notes);
   });
@@ -311,6 +318,7 @@ async function start() {
   const isSolid = source.is_solid && (!kept || kept.solid === source.name);
   const first = source.domain ? source : presets[0];
   begin(kept?.domain ?? first.domain, kept ? [] : first.notes);
+  offerChoices(polygons);
   if (facts.purpose && !kept) choosePurpose(facts.purpose);
   if (!isSolid) return;
   try {

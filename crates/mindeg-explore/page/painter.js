@@ -102,7 +102,7 @@ function take(run, line) {
   } else if (line.kind === "refused") {
     for (const view of line.part ? [line.part] : [...run.unfinished]) finish(run, view);
     const stage = stageOf(line.part);
-    if (stage) clear(stage);
+    if (stage) showBoundary(stage, run.domain);
   }
   tell(run, line);
 }
@@ -121,7 +121,10 @@ function reveal(run, line) {
 
 function finish(run, view) {
   run.empty.delete(view);
-  if (run.unfinished.delete(view) && !run.unfinished.size) isQuick = performance.now() - run.start < QUICK;
+  if (!run.unfinished.delete(view) || run.unfinished.size) return;
+  const wasQuick = performance.now() - run.start < QUICK;
+  // While a corner moves, pictures that have become drafts stay drafts.
+  isQuick = wasQuick && (isQuick || performance.now() - lastStep >= REST);
 }
 
 function tell(run, line) {
@@ -142,6 +145,18 @@ function closedLine(points, from, to) {
 /** The edges of a line inside, each as a line of its own. */
 const edges = (segments) => Array.from({ length: segments.length / 4 }, (_, i) => segments.subarray(4 * i, 4 * i + 4));
 
+const outlinesOf = ({ points, rings, lines }) =>
+  [...rings.slice(1).map((end, i) => closedLine(points, rings[i], end)), ...lines.flatMap(({ segments }) => edges(segments))];
+
+/** Draws the boundary alone, where there is no mesh to show. */
+function showBoundary(stage, domain) {
+  if (!domain) return clear(stage);
+  const none = new Uint32Array(0);
+  const scene = { points: domain.points, triangles: none, degrees: none, values: {}, outlines: outlinesOf(domain), isRing: false, fillsOutlines: false };
+  Object.assign(stage, { scene: null, measure: undefined, painter: new Painter(scene) });
+  paint(stage);
+}
+
 /** Makes a scene of a mesh and draws it. */
 function show(run, line) {
   const stage = stageOf(line.view);
@@ -157,7 +172,7 @@ function show(run, line) {
     triangles: unpack(line.triangles, Uint32Array),
     degrees: unpack(line.degrees, Uint32Array),
     values,
-    outlines: [...rings.slice(1).map((end, i) => closedLine(points, rings[i], end)), ...lines.flatMap(({ segments }) => edges(segments))],
+    outlines: outlinesOf(run.domain),
     isRing: rings.length === 2 && !inside.length,
     // Regions of a map may be holes.
     fillsOutlines: !lines.length,
@@ -201,7 +216,7 @@ function corners({ points, triangles }, { vertex, triangle }) {
 function point(place) {
   const found = {};
   for (const stage of stages.values()) {
-    if (!stage.painter || !stage.frame || !place) continue;
+    if (!stage.scene || !stage.frame || !place) continue;
     const at = pick(stage.scene, stage.frame, place.x, place.y);
     found[stage.id] = { text: describe(stage.scene, stage.measure, at), corners: corners(stage.scene, at) };
   }
@@ -255,7 +270,7 @@ const requests = {
   },
   jump({ id, target }) {
     const stage = stages.get(id);
-    if (!stage?.painter || !stage.frame) return;
+    if (!stage?.scene || !stage.frame) return;
     const { worst, maxDegreeVertex } = stage.scene;
     const at = lookAt(stage.scene, stage.frame, target === "worst" ? { triangle: worst } : { vertex: maxDegreeVertex });
     postMessage({ kind: "jump", at });

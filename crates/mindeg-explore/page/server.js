@@ -40,9 +40,14 @@ export async function startFile(name) {
   return new File([await (await ask("/api/start/file")).blob()], name);
 }
 
-/** The boundary changed so that a mesh can have an angle, with edges of a length if `size` is one. */
-export async function condition(domain, angle, size) {
-  const query = new URLSearchParams({ angle, ...(size > 0 ? { size } : {}) });
+/** The domain with all sides divided into edges of a length. */
+export async function divide(domain, size) {
+  return (await ask(`/api/divide?${new URLSearchParams({ size })}`, { method: "POST", body: JSON.stringify({ domain }) })).json();
+}
+
+/** The boundary changed so that a mesh can have an angle, with edges of a length if `size` is one, moved by `within` at most. */
+export async function condition(domain, angle, size, within) {
+  const query = new URLSearchParams({ angle, ...(size > 0 ? { size } : {}), ...(within >= 0 ? { within } : {}) });
   return (await ask(`/api/condition?${query}`, { method: "POST", body: JSON.stringify({ domain }) })).json();
 }
 

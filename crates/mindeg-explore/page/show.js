@@ -1,9 +1,9 @@
 // Puts what the server says into the page.
 // From the viewer's script: DEGREE_COLORS, angleText, make and the charts.
 
-import { percent, showCurve } from "./curve.js";
+import { listedPoints, percent, showCurve } from "./curve.js";
 import { namedPlaces } from "./names.js";
-import { canRedo, canUndo, shown, state } from "./state.js";
+import { canRedo, canUndo, selection, shown, state } from "./state.js";
 
 export const element = (id) => document.getElementById(id);
 export const several = (count, thing) => (count === 1 ? `1 ${thing}` : `${count} ${thing}s`);
@@ -55,10 +55,9 @@ export function inWords(text) {
     .join(" of "));
 }
 
-/** What is wrong with a domain, and where. The lines and columns of JSON that nobody has seen tell nothing. */
+/** What is wrong with a domain, and where. */
 export function domainTrouble({ message, path }) {
-  const text = message.replace(/^line \d+, column \d+,? ?/, "");
-  return inWords(path && !text.includes(path) ? `${text} (at ${path})` : text);
+  return inWords(path && !message.includes(path) ? `${message} (at ${path})` : message);
 }
 
 /** What is wrong; nothing if there is no message. With `isOld`, the meshes are of another domain. */
@@ -73,15 +72,18 @@ const captionOf = ({ view, max_degree: degree }) => (view === "wanted" ? `Degree
 /** The figures of a mesh in its caption. */
 export function showMesh(stage, mesh) {
   const { figure } = stage;
-  figure.querySelector("h3").textContent = captionOf(mesh);
-  const searching = mesh.is_last ? "" : " …";
+  // While a corner is dragged, drafts and meshes come in turn: what is said of one would flicker.
+  const isHeld = Boolean(selection.drag);
+  figure.querySelector("h3").textContent = isHeld ? NAMES[mesh.view] : captionOf(mesh);
+  offerDownload(stage, true);
+  const searching = mesh.is_last && !isHeld ? "" : " …";
   const parts = [make("span", "", "minimum angle "), make("strong", "", angleText(mesh.min_angle) + searching)];
   element("marks-legend").hidden = !shown.meshes.interior?.marks?.length;
   if (mesh.share_of_delaunay !== null && stage.view !== "delaunay" && stage.view !== "interior") {
     parts.push(make("span", "", ` · ${percent(mesh.share_of_delaunay)} of Delaunay’s`));
   }
   figure.querySelector(".figures").replaceChildren(...parts);
-  figure.querySelector(".words-of").textContent = mesh.words;
+  figure.querySelector(".words-of").textContent = isHeld ? "While you drag, drafts are shown." : mesh.words;
 }
 
 /** The mesh of a view is looked for: until it is there, its place has no figures, least of all those of another mesh. */
@@ -101,8 +103,18 @@ export function showNothing() {
   for (const id of ["show-degree", "show-limit"]) element(id).hidden = true;
 }
 
+/** Offers the file of the mesh in a picture; where the page has none, the command that makes it stands in its place. */
+function offerDownload({ id, figure }, isThere) {
+  for (const button of figure.querySelectorAll(".jumps button")) button.hidden = !isThere;
+  if (id !== "main") return;
+  for (const name of ["download", "format", "format-note"]) element(name).hidden = !isThere;
+  element("copy").classList.toggle("primary", !isThere);
+  if (!isThere) element("terminal").open = true;
+}
+
 /** A picture without a mesh, and why it has none. */
 function showNoMesh(stage, message) {
+  offerDownload(stage, false);
   stage.worst = null;
   delete shown.meshes[stage.view];
   stage.figure.querySelector("h3").textContent = stage.view === "wanted" ? "No such mesh" : `${NAMES[stage.view]}: no mesh`;
@@ -139,7 +151,9 @@ export function showCurveNow(choose) {
   element("curve").closest("figure").hidden = false;
   const chosen = state.view === "interior" ? "inside" : wantedDegree();
   showCurve(element("curve"), element("degrees"), curve, shown.advice?.solver, chosen, choose);
-  element("curve-note").textContent = curve.open_question ?? "";
+  const left = curve.points.length - listedPoints(curve, chosen).length;
+  const more = left ? `${left} more degrees are points of the curve.` : "";
+  element("curve-note").textContent = [curve.open_question, more].filter(Boolean).join(" ");
 }
 
 /** Sentences of the server, a paragraph for each line. */

@@ -64,6 +64,7 @@ async function show(change) {
     element("solid-meshes").replaceChildren(...shownNow.map(({ figure }) => figure));
     for (const { draw } of shownNow) draw();
     element("solid-words").textContent = found.words;
+    element("solid-command").textContent = found.command;
     made = { change, more };
     element("solid-download").hidden = change === "nothing";
   } catch (error) {
@@ -102,7 +103,6 @@ function figure(title, found) {
   space.emphasize(rim);
   stage.dataset.marked = rim.length / 2;
   const draw = () => {
-    stage.style.aspectRatio = "1.3";
     space.resize();
     space.look(pageColors());
     space.draw();

@@ -79,7 +79,7 @@ pub(crate) fn understood(body: &[u8]) -> Result<(Request, Domain), Box<AnswerLin
         .and_then(|request: Request| request.checked())
         .map_err(|message| Box::new(refused(None, message)))?;
     let domain = Domain::from_json_up_to(request.domain.get(), MAX_VERTICES).map_err(|error| {
-        let message = without_options(&error.to_string());
+        let message = without_options(&error.without_position());
         Box::new(AnswerLine::Refused { part: None, message, path: Some(error.path) })
     })?;
     Ok((request, domain))

@@ -1,9 +1,10 @@
 //! The command line that makes a mesh of the page.
 
 use mindeg::{Domain, Goal};
+use mindeg_answers::advice::FEWEST;
 use mindeg_answers::command::{
-    LEAST_DEGREE, POINTS_INSIDE, boundary_alone_options, domain_stem, inside_options, mesh_stem,
-    shell_word,
+    FEWEST_EDGES, LEAST_DEGREE, POINTS_INSIDE, boundary_alone_options, domain_stem, inside_options,
+    mesh_stem, shell_word,
 };
 use mindeg_files::Format;
 use serde_json::Value;
@@ -15,21 +16,36 @@ const END: &str = "END";
 
 /// Files that a command may name instead of holding the domain itself.
 #[derive(Clone, Debug, Default)]
-pub struct KnownFiles(Vec<(Vec<String>, Value)>);
+pub struct KnownFiles {
+    domains: Vec<(Vec<String>, Value)>,
+    /// The name of the file of a surface, and its path.
+    surface: Option<(String, String)>,
+}
 
 impl KnownFiles {
     /// Adds a file that is read as this domain in JSON, by the words of a command that name it: the file, and the options
     /// that say how it is read. Other text is ignored.
     pub fn add(&mut self, words: &[String], text: &str) {
         if let Ok(domain) = serde_json::from_str(text) {
-            self.0.push((words.to_vec(), domain));
+            self.domains.push((words.to_vec(), domain));
         }
+    }
+
+    /// Adds the path of the file of a surface, which the page knows by its name.
+    pub fn add_surface(&mut self, name: &str, path: &str) {
+        self.surface = Some((name.to_owned(), path.to_owned()));
+    }
+
+    /// The path of a surface's file; its name where no path is known.
+    pub(crate) fn surface<'a>(&'a self, name: &'a str) -> &'a str {
+        let known = self.surface.as_ref().filter(|(known, _)| known == name);
+        known.map_or(name, |(_, path)| path)
     }
 
     /// The words for the file that holds a domain.
     fn with(&self, domain: &str) -> Option<&[String]> {
         let domain: Value = serde_json::from_str(domain).ok()?;
-        self.0.iter().find(|(_, known)| is_same(known, &domain)).map(|(words, _)| &words[..])
+        self.domains.iter().find(|(_, known)| is_same(known, &domain)).map(|(words, _)| &words[..])
     }
 }
 
@@ -55,6 +71,7 @@ pub(crate) fn file_stem(domain: &Domain, view: View, goal: Goal) -> String {
         (View::Interior, _) => mesh_stem(domain, POINTS_INSIDE),
         (View::Delaunay, _) => mesh_stem(domain, "delaunay"),
         (View::Least, _) => mesh_stem(domain, LEAST_DEGREE),
+        (View::Wanted, FEWEST) => mesh_stem(domain, FEWEST_EDGES),
         (View::Wanted, goal) => {
             let (kind, value) = goal.kind_and_value();
             mesh_stem(domain, &format!("{} {value}", kind.key))

@@ -82,9 +82,12 @@ mod tests {
         for (body, words) in [
             ("[]", "the request is not what the page sends"),
             (r#"{"domain": {"rectangle": {"width": 4, "height": 3}}}"#, "intervals"),
+            (r#"{"domain": {"ring": [[0, 0], [1, 0], [0]]}}"#, "ring[2]"),
         ] {
             let refusal = download(body.as_bytes(), None, "obj", 0, Progress::NONE).err().unwrap();
             assert!(refusal.contains(words), "{refusal}");
+            // Nobody has seen the text of the page's domain.
+            assert!(!refusal.contains("line 1, column"), "{refusal}");
         }
     }
 }

@@ -50,6 +50,6 @@ pub use api::{AnswerLine, Part, Request, Source, View};
 pub use body::MAX_BYTES;
 pub use command::KnownFiles;
 pub use presets::presets;
-pub use reading::{REPAIRED, Repair, least_repaired, sources};
+pub use reading::{REPAIRED, repaired_if_refused, sources};
 pub use server::{Server, ServerError};
 pub use setup::Setup;

@@ -80,8 +80,8 @@ impl Made {
 pub(crate) fn no_interior(error: &InteriorError) -> String {
     match error {
         InteriorError::TooManyPoints { max: MOST_POINTS } => format!(
-            "It has more than {MOST_POINTS} points, more than the page shows. \"Copy the command\" gives the command \
-             that makes it; a larger size inside, with a larger growth, gives fewer points."
+            "It has more than {MOST_POINTS} points, more than the page shows. The command on this page \
+             makes it; a larger size inside, with a larger growth, gives fewer points."
         ),
         error => error.to_string(),
     }

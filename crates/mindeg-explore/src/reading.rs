@@ -40,14 +40,9 @@ pub fn sources(session: &Session, input: &Input<'_>) -> Result<Vec<Source>, File
         let alone = sources.filter(|source| source.domain.is_none() && !source.is_solid).count();
         alone + usize::from(found.no_map.is_some())
     };
-    let read = |repair| {
-        let together = repair == Repair::Together;
-        let options =
-            ReadOptions { repair: repair != Repair::None, together, ..ReadOptions::default() };
-        read(session, input, &options)
-    };
-    let (mut found, repair) = least_repaired(read, refused)?;
-    if repair != Repair::None {
+    let read = |repair| read(session, input, &ReadOptions { repair, ..ReadOptions::default() });
+    let (mut found, is_repaired) = repaired_if_refused(read, refused)?;
+    if is_repaired {
         for source in found.sources.iter_mut().filter(|source| source.domain.is_some()) {
             source.notes.insert(0, REPAIRED.to_owned());
         }
@@ -55,39 +50,24 @@ pub fn sources(session: &Session, input: &Input<'_>) -> Result<Vec<Source>, File
     Ok(found.told())
 }
 
-/// How polygons are repaired unasked.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Repair {
-    /// Not at all.
-    None,
-    /// Each alone.
-    Alone,
-    /// As regions of one map: what they share stays shared.
-    Together,
-}
-
-/// The result of `read` with the least repair that leaves the fewest `refused`, and that repair.
+/// The result of `read` without a repair, or with one if that leaves fewer `refused`, and which.
 ///
 /// # Errors
 ///
-/// The error without a repair, if nothing is read with any.
-pub fn least_repaired<T, E>(
-    mut read: impl FnMut(Repair) -> Result<T, E>,
+/// The error without a repair, if nothing is read with one.
+pub fn repaired_if_refused<T, E>(
+    mut read: impl FnMut(bool) -> Result<T, E>,
     refused: impl Fn(&T) -> usize,
-) -> Result<(T, Repair), E> {
-    let mut best = read(Repair::None).map(|found| (found, Repair::None));
-    let mut least = best.as_ref().map_or(usize::MAX, |(found, _)| refused(found));
-    for repair in [Repair::Alone, Repair::Together] {
-        if least == 0 {
-            break;
-        }
-        let Ok(found) = read(repair) else { continue };
-        if refused(&found) < least {
-            least = refused(&found);
-            best = Ok((found, repair));
-        }
+) -> Result<(T, bool), E> {
+    let plain = read(false);
+    let least = plain.as_ref().map_or(usize::MAX, &refused);
+    if least > 0
+        && let Ok(repaired) = read(true)
+        && refused(&repaired) < least
+    {
+        return Ok((repaired, true));
     }
-    best
+    Ok((plain?, false))
 }
 
 /// The content of a file, as the page takes it.
@@ -203,8 +183,13 @@ fn maps(polygons: &PolygonFile, stem: Option<&str>) -> Result<Vec<Source>, FileE
             _ => part_name(index, domain),
         };
         let notes = polygons.notes.iter().chain(&notes).cloned().collect();
-        let whole = stem.filter(|_| domain.name().is_none());
-        let named = whole.and_then(|whole| domain.clone().named(whole).ok());
+        // A part is called as it is listed.
+        let called = match &domains[..] {
+            [_] => stem.map(str::to_owned),
+            _ => Some(name.clone()),
+        };
+        let called = called.filter(|_| domain.name().is_none());
+        let named = called.and_then(|called| domain.clone().named(called).ok());
         Source { name, notes, ..Source::of(named.as_ref().unwrap_or(domain)) }
     };
     Ok(parts.take(MOST).map(source).collect())

@@ -45,6 +45,7 @@ const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; \
 pub(crate) struct All {
     guard: Guard,
     start: Option<Source>,
+    choices: Vec<Source>,
     surface: Bytes,
     known: KnownFiles,
     purpose: Option<Purpose>,
@@ -54,9 +55,9 @@ pub(crate) struct All {
 
 impl All {
     pub(crate) fn new(guard: Guard, setup: Setup) -> Result<Self, ThreadPoolBuildError> {
-        let Setup { start, surface, known, purpose, port: _ } = setup;
+        let Setup { start, choices, surface, known, purpose, port: _ } = setup;
         let (surface, works, states) = (surface.into(), Works::new()?, States::default());
-        Ok(Self { guard, start, surface, known, purpose, works, states })
+        Ok(Self { guard, start, choices, surface, known, purpose, works, states })
     }
 
     /// The token that requests must have.
@@ -71,12 +72,14 @@ pub(crate) fn router(all: Arc<All>) -> Router {
         .route("/", get(async || page(files::INDEX)))
         .route("/page/{name}", get(page_file))
         .route("/api/start", get(start))
+        .route("/api/start/choices", get(start_choices))
         .route("/api/start/file", get(start_file))
         .route("/api/presets", get(async || json(&presets())))
         .route("/api/facts", get(async move || json(&facts(MAX_BYTES, purpose))))
         .route("/api/answer", post(answers))
         .route("/api/read", post(reading))
         .route("/api/condition", post(conditions))
+        .route("/api/divide", post(divides))
         .route("/api/solid", post(solids))
         .route("/api/solid/file", post(solid_files))
         .route("/api/download", post(downloads))
@@ -132,6 +135,11 @@ async fn page_file(Path(name): Path<String>) -> Result<Response, Refusal> {
 
 async fn start(State(all): State<Arc<All>>) -> Response {
     json(&all.start.clone().or_else(|| presets().into_iter().next()))
+}
+
+/// The domains to choose from at the start.
+async fn start_choices(State(all): State<Arc<All>>) -> Response {
+    json(&all.choices)
 }
 
 /// The file of the surface to start with.
@@ -258,6 +266,23 @@ async fn downloads(
     Ok(attached(file))
 }
 
+/// The length of edges.
+#[derive(Deserialize)]
+struct Length {
+    size: f64,
+}
+
+/// A divided boundary.
+async fn divides(
+    State(all): State<Arc<All>>,
+    query: Asked<Length>,
+    request: Request,
+) -> Result<Response, Refusal> {
+    let Length { size } = asked(query)?;
+    let bytes = body(request).await?;
+    Ok(json(&worked(&all, move |_| conditioned::divided(size, &bytes)).await?))
+}
+
 /// A changed boundary.
 async fn conditions(
     State(all): State<Arc<All>>,
@@ -280,7 +305,9 @@ async fn solids(
 ) -> Result<Response, Refusal> {
     let wanted = asked(query)?;
     let bytes = body(request).await?;
-    let shown = worked(&all, move |progress| solid::shown(&wanted, &bytes, progress)).await?;
+    let known = Arc::clone(&all);
+    let shown = worked(&all, move |progress| solid::shown(&wanted, &bytes, &known.known, progress));
+    let shown = shown.await?;
     Ok(json(&shown))
 }
 

@@ -12,6 +12,8 @@ pub struct Setup {
     pub port: u16,
     /// The domain or the surface to show first; the first preset otherwise.
     pub start: Option<Source>,
+    /// All domains of its file, where there are several.
+    pub choices: Vec<Source>,
     /// The bytes of the file of that surface.
     pub surface: Vec<u8>,
     /// Files that the page's commands may name.

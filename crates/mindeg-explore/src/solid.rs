@@ -9,6 +9,7 @@ use mindeg::model::mesh_model;
 use mindeg::quality::TriangleQuality;
 use mindeg::remesh::{Remesh, remesh};
 use mindeg::{Goal, Loops, Model, TriMesh};
+use mindeg_answers::command::shell_word;
 use mindeg_answers::loops::{BridgeAnswer, FillAnswer, LoopName};
 use mindeg_answers::model::ModelAnswer;
 use mindeg_answers::numbers::{steady_angle, triangles};
@@ -18,6 +19,7 @@ use mindeg_mesh::{Progress, Triangles};
 use serde::{Deserialize, Serialize};
 
 use crate::arrays::{f32s, u32s};
+use crate::command::KnownFiles;
 use crate::download::Download;
 use crate::format::format_named;
 use crate::terms::without_options;
@@ -60,12 +62,70 @@ pub(crate) struct Asked {
     format: String,
 }
 
+impl Asked {
+    /// The name of a file of the result, without its extension.
+    fn stem(&self) -> String {
+        let letters = |c: char| match c.is_ascii_alphanumeric() {
+            true => c.to_ascii_lowercase(),
+            false => '-',
+        };
+        let name = self.name.split('.').next().unwrap_or("surface");
+        let which = match self.change {
+            Change::Nothing => "as-it-is",
+            Change::Remesh => "remeshed",
+            Change::Fill => "filled",
+            Change::Bridge => "bridged",
+        };
+        format!("{}-{which}", name.chars().map(letters).collect::<String>())
+    }
+
+    /// The indices of the loops that are chosen.
+    fn chosen(&self) -> Vec<usize> {
+        self.loops.split(',').filter_map(|index| index.parse().ok()).collect()
+    }
+}
+
+/// The command that writes the mesh that is asked for: of a whole model, its mesh first.
+fn command(asked: &Asked, known: &KnownFiles, is_model: bool) -> String {
+    let file = shell_word(known.surface(&asked.name));
+    let of_model = format!(
+        "mindeg mesh {file} -o {}.obj",
+        Asked { change: Change::Nothing, ..asked.clone() }.stem()
+    );
+    let file = match (is_model, asked.change) {
+        (true, Change::Nothing) => return of_model,
+        (true, _) => format!("{}.obj", Asked { change: Change::Nothing, ..asked.clone() }.stem()),
+        (false, _) => file,
+    };
+    let interior = if asked.interior { " --interior" } else { "" };
+    let numbered = |option: &str, index: usize| format!(" {option} {}", index + 1);
+    let (verb, options) = match asked.change {
+        Change::Nothing => ("convert", String::new()),
+        Change::Remesh => {
+            ("remesh", asked.size.map(|size| format!(" --size {size}")).unwrap_or_default())
+        }
+        Change::Fill => {
+            let loops = asked.chosen().into_iter().map(|index| numbered("--loop", index));
+            ("fill", loops.collect::<String>() + interior)
+        }
+        Change::Bridge => {
+            let ends = ["--from", "--to"].into_iter().zip(asked.chosen());
+            let ends: String = ends.map(|(option, index)| numbered(option, index)).collect();
+            ("bridge", ends + interior)
+        }
+    };
+    let line = format!("mindeg {verb} {file}{options} -o {}.obj", asked.stem());
+    if is_model { format!("{of_model}\n{line}") } else { line }
+}
+
 /// A surface as the page draws it.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct SolidShown {
     name: String,
     /// Its state, or the changes, in sentences.
     words: String,
+    /// The command that writes the same mesh.
+    command: String,
     vertices: usize,
     triangles: usize,
     max_degree: u32,
@@ -98,9 +158,10 @@ pub(crate) struct SolidShown {
 pub(crate) fn shown(
     asked: &Asked,
     bytes: &[u8],
+    known: &KnownFiles,
     progress: Progress<'_>,
 ) -> Result<SolidShown, String> {
-    let Changed { mesh, words, first_new } = changed(asked, bytes, progress)?;
+    let Changed { mesh, words, first_new, is_model } = changed(asked, bytes, progress)?;
     if mesh.triangles().len() > MAX_TRIANGLES {
         return Err(format!(
             "the surface has {} triangles; the page shows up to {MAX_TRIANGLES}, mindeg view any number",
@@ -131,6 +192,7 @@ pub(crate) fn shown(
     );
     Ok(SolidShown {
         name: mesh.name().unwrap_or(&asked.name).to_owned(),
+        command: command(asked, known, is_model),
         words: if words.is_empty() { counts } else { without_options(&words) },
         vertices: positions.len(),
         triangles: qualities.len(),
@@ -162,16 +224,7 @@ pub(crate) fn file(
     let format = format_named(&asked.format)
         .ok_or_else(|| format!("no format {:?} is written here", asked.format))?;
     let Changed { mesh, .. } = changed(asked, bytes, progress)?;
-    let letters = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '-' };
-    let stem: String =
-        asked.name.split('.').next().unwrap_or("surface").chars().map(letters).collect();
-    let which = match asked.change {
-        Change::Nothing => "as-it-is",
-        Change::Remesh => "remeshed",
-        Change::Fill => "filled",
-        Change::Bridge => "bridged",
-    };
-    let path = PathBuf::from(format!("{stem}-{which}.{}", format.extension()));
+    let path = PathBuf::from(format!("{}.{}", asked.stem(), format.extension()));
     let names: Vec<String> =
         format.files(&path).iter().map(|path| path.display().to_string()).collect();
     let written = || {
@@ -212,25 +265,26 @@ struct Changed {
     words: String,
     /// The first of the triangles that were added.
     first_new: Option<u32>,
+    /// Whether the file holds a whole model.
+    is_model: bool,
 }
 
 /// The surface in a file with what was asked for.
 fn changed(asked: &Asked, bytes: &[u8], progress: Progress<'_>) -> Result<Changed, String> {
     let (mesh, words) = surface(&Input::Bytes(&asked.name, bytes), progress)?;
-    let indices = asked.loops.split(',').filter_map(|index| index.parse().ok());
-    let chosen: Vec<usize> = indices.collect();
+    let (is_model, chosen) = (!words.is_empty(), asked.chosen());
     let loops = Loops::of(&mesh);
     let (count, before) = (loops.list().len(), mesh.triangle_count());
     if let Some(index) = chosen.iter().find(|index| **index >= count) {
         return Err(format!("there is no loop {}; the surface has {count}", index + 1));
     }
     match asked.change {
-        Change::Nothing => Ok(Changed { mesh, words, first_new: None }),
+        Change::Nothing => Ok(Changed { mesh, words, first_new: None, is_model }),
         Change::Remesh => {
             let wish = Remesh { size: asked.size, ..Remesh::default() };
             let found = remesh(&mesh, &wish, progress).map_err(|error| error.to_string())?;
             let answer = RemeshAnswer::of(&asked.name, &mesh, None, &found);
-            Ok(Changed { mesh: found.mesh, words: answer.text(), first_new: None })
+            Ok(Changed { mesh: found.mesh, words: answer.text(), first_new: None, is_model })
         }
         Change::Fill => {
             let options = FillOptions {
@@ -244,7 +298,7 @@ fn changed(asked: &Asked, bytes: &[u8], progress: Progress<'_>) -> Result<Change
                 return Err("it has no hole to fill".to_owned());
             }
             let words = FillAnswer::of(&asked.name, &result, &loops).text(&options);
-            Ok(Changed { mesh: result.mesh, words, first_new: Some(before) })
+            Ok(Changed { mesh: result.mesh, words, first_new: Some(before), is_model })
         }
         Change::Bridge => {
             let ends = match (&chosen[..], count) {
@@ -259,7 +313,7 @@ fn changed(asked: &Asked, bytes: &[u8], progress: Progress<'_>) -> Result<Change
                 .map_err(|error| error.to_string())?;
             let [from, to] = names;
             let words = BridgeAnswer::of(&result, from, to).text();
-            Ok(Changed { mesh: result.mesh, words, first_new: Some(before) })
+            Ok(Changed { mesh: result.mesh, words, first_new: Some(before), is_model })
         }
     }
 }
@@ -281,14 +335,28 @@ mod tests {
     #[test]
     fn a_surface_is_told_and_changed() {
         let bytes = TUBE.as_bytes();
-        let found = |change, loops| shown(&asked(change, loops), bytes, Progress::NONE);
+        let found = |change, loops| {
+            shown(&asked(change, loops), bytes, &KnownFiles::default(), Progress::NONE)
+        };
         let whole = found(Change::Nothing, "").unwrap();
         assert_eq!((whole.vertices, whole.triangles, whole.loops.len()), (8, 8, 2));
         let filled = found(Change::Fill, "").unwrap();
         assert_eq!((filled.triangles, filled.first_new), (12, Some(8)));
         // Of four vertices each.
         assert_eq!(whole.loop_vertices.iter().map(String::len).collect::<Vec<_>>(), [24, 24]);
-        assert_eq!(found(Change::Fill, "1").unwrap().triangles, 10);
+        let one = found(Change::Fill, "1").unwrap();
+        assert_eq!(one.triangles, 10);
+        assert_eq!(one.command, "mindeg fill tube.obj --loop 2 -o tube-filled.obj");
+        let mut known = KnownFiles::default();
+        known.add_surface("tube.obj", "my models/tube.obj");
+        let bridge = Asked { interior: true, ..asked(Change::Bridge, "0,1") };
+        let line =
+            "mindeg bridge 'my models/tube.obj' --from 1 --to 2 --interior -o tube-bridged.obj";
+        assert_eq!(command(&bridge, &known, false), line);
+        let remesh = Asked { size: Some(0.5), ..asked(Change::Remesh, "") };
+        let lines = "mindeg mesh tube.obj -o tube-as-it-is.obj\n\
+            mindeg remesh tube-as-it-is.obj --size 0.5 -o tube-remeshed.obj";
+        assert_eq!(command(&remesh, &KnownFiles::default(), true), lines);
         assert!(found(Change::Remesh, "").unwrap().min_angle > 20.0);
         assert!(found(Change::Fill, "7").unwrap_err().contains("no loop 8"));
         let file = file(&asked(Change::Fill, ""), bytes, Progress::NONE).unwrap();
@@ -311,7 +379,7 @@ mod tests {
         }
         let filled = |interior| {
             let asked = Asked { interior, ..asked(Change::Fill, "") };
-            shown(&asked, cone.as_bytes(), Progress::NONE).unwrap()
+            shown(&asked, cone.as_bytes(), &KnownFiles::default(), Progress::NONE).unwrap()
         };
         assert_eq!(filled(false).vertices, 25);
         assert!(filled(true).vertices > 40 && filled(true).loops.is_empty());
@@ -322,7 +390,13 @@ mod tests {
         // Two squares, one above the other.
         let rings = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n\
             f 3 2 1\nf 4 3 1\nf 5 6 7\nf 5 7 8\n";
-        let joined = shown(&asked(Change::Bridge, ""), rings.as_bytes(), Progress::NONE).unwrap();
+        let joined = shown(
+            &asked(Change::Bridge, ""),
+            rings.as_bytes(),
+            &KnownFiles::default(),
+            Progress::NONE,
+        )
+        .unwrap();
         assert_eq!((joined.triangles, joined.loops.len()), (12, 0));
     }
 }

@@ -267,7 +267,7 @@ fn of_a_huge_boundary_what_to_do_comes_first() {
     assert_eq!(kinds(&lines)[..4], ["domain", "command", "refused", "mesh"]);
     assert_eq!(lines[2]["part"], "interior");
     let message = lines[2]["message"].as_str().unwrap();
-    assert!(message.contains("more than the page shows. \"Copy the command\""), "{message}");
+    assert!(message.contains("more than the page shows. The command on this page"), "{message}");
 }
 
 #[test]

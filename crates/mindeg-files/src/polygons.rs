@@ -25,8 +25,9 @@ pub struct ReadOptions {
     pub repair: bool,
     /// Whether holes that touch other rings at a vertex are parted from them, for a change of the boundary.
     pub parts_holes: bool,
-    /// Whether polygons are repaired together, as regions of one map whose borders stay shared.
-    pub together: bool,
+    /// Whether each polygon is wanted by itself. If not, they are repaired together, as regions of one map whose borders stay
+    /// shared.
+    pub separate: bool,
     /// How near points become one in such a repair; by default as near as rounding parts them.
     pub snap: Option<f64>,
     /// The rule by which a repair counts points as inside; by default the format's.
@@ -90,7 +91,8 @@ impl PolygonFile {
         if let Some(choice) = options.project {
             (outlines, projection) = outlines.projected(choice).map_err(wrong)?;
         }
-        if options.repair && options.together && outlines.features.len() > 1 {
+        let is_one_map = !options.separate && options.feature.is_none();
+        if options.repair && is_one_map && outlines.features.len() > 1 {
             outlines =
                 outlines.repaired_together(options.fill_rule, options.snap).map_err(wrong)?;
         } else if options.repair {

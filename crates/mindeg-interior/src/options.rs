@@ -179,7 +179,7 @@ pub enum InteriorError {
     },
     /// More points than allowed.
     #[error(
-        "the mesh needs more than {max} points; raise the size inside or the sizes at places, or allow more by max_points"
+        "the mesh needs more than {max} points; raise the size inside or the sizes at places, or allow more points"
     )]
     TooManyPoints {
         /// How many are allowed.

@@ -128,7 +128,8 @@ impl Domain {
 
     /// The mesh to take for each purpose, and the keywords of `Domain.mesh` that make it.
     fn _advice<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let advice = done(py, |progress| Advice::of(&self.inner, progress))?;
+        let own = std::slice::from_ref(&self.inner);
+        let advice = done(py, |progress| Advice::of(own, progress).map_err(|(_, error)| error))?;
         let options = Purpose::ALL.map(|purpose| (purpose.name(), keywords(purpose)));
         dict(py, &(AdviceAnswer::of(advice), BTreeMap::from(options)))
     }

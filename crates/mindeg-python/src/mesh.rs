@@ -8,6 +8,7 @@ use mindeg::glam::DVec3;
 use mindeg::quality::TriangleQuality;
 use mindeg::{Group, Mesh as AnyMesh, Positions, Projection, TriMesh};
 use mindeg_answers::demands::Demands;
+use mindeg_answers::numbers::triangles;
 use mindeg_files::{Input, Session, svg};
 use mindeg_mesh::{ByName, PeriodicLine, filled};
 use numpy::{PyArray1, PyArray2};
@@ -284,10 +285,10 @@ impl Mesh {
 
     fn __repr__(&self) -> String {
         format!(
-            "<mindeg.Mesh {}{} vertices, {} triangles, maximum degree {}, angles {:.3}° to {:.3}°>",
+            "<mindeg.Mesh {}{} vertices, {}, maximum degree {}, angles {:.3}° to {:.3}°>",
             self.mesh.name().map(|name| format!("{name}: ")).unwrap_or_default(),
             self.mesh.vertex_count(),
-            self.mesh.triangle_count(),
+            triangles(self.mesh.triangle_count()),
             self.mesh.max_degree(),
             self.angles()[0],
             self.angles()[1],

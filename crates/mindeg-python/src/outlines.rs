@@ -76,7 +76,7 @@ impl Given {
             feature: self.feature.clone(),
             selection: Selection { layer: self.layer.clone(), name_by: self.name_by.clone() },
             repair,
-            together: self.feature.is_none(),
+            separate: false,
             snap,
             fill_rule,
             parts_holes: false,

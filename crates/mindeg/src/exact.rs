@@ -13,6 +13,7 @@ use mindeg_exact::{Optimum, best_angle};
 use mindeg_mesh::Progress;
 
 pub use crate::degree::{DegreeAnswer, DegreeBound, degree, degree_of_boundary, degree_with};
+use crate::degree_first::degree_first;
 pub use crate::error::MeshError;
 use crate::map;
 use crate::meshed::Meshed;
@@ -207,10 +208,13 @@ fn trade_off_by_windows(
         let min_angle = mesh.measure_angles(progress)?.min;
         meshes.push(ExactMesh { max_degree, min_angle, is_proven: false, mesh });
     }
-    meshes.reverse();
-    if meshes.is_empty() {
-        return Err(MeshError::LimitsNotReached);
+    let least = degree_first(posed, progress)?;
+    let max_degree = least.mesh.max_total_degree();
+    if meshes.last().is_none_or(|last| max_degree < last.max_degree) {
+        let min_angle = least.mesh.measure_angles(progress)?.min;
+        meshes.push(ExactMesh { max_degree, min_angle, is_proven: false, mesh: least.mesh });
     }
+    meshes.reverse();
     let enough = meshes.iter().position(|exact| is_enough(exact.min_angle, most));
     meshes.truncate(enough.map_or(meshes.len(), |index| index + 1));
     Ok(TradeOff::new(posed.domain(), meshes, most, false))

@@ -33,7 +33,7 @@ use std::ops::{ControlFlow, Range};
 pub const FILL: &str = "fill";
 
 /// Why a loop stays open that nobody asked for by name.
-const RIM: &str = "it is the rim of a flat sheet, on which the filling would lie; name it to fill it all the same";
+const RIM: &str = "it is the rim of a flat sheet, on which the filling would lie";
 
 /// Why a loop stays open that could be filled but for the edges around it.
 const EDGES_THERE: &str = "every triangulation of it needs an edge that the mesh has already";

@@ -7,17 +7,18 @@ mod share;
 
 use mindeg_core::Boundary;
 use mindeg_domain::Domain;
-use mindeg_exact::{MAX_VERTICES, Reached, Unsolved, degree_range};
+use mindeg_exact::{MAX_VERTICES, Unsolved};
 use mindeg_mesh::Progress;
 
 use crate::boundary_mesh::BoundaryMesh;
+use crate::degree_first::degree_first;
 use crate::error::MeshError;
 use crate::exact;
 use crate::keep_angle::keep_angle;
 use crate::map;
 use crate::meshed::{FoundBy, Meshed};
 use crate::posed::Posed;
-use crate::searched::{Searched, with_larger_angle};
+use crate::searched::Searched;
 use crate::windowed::{SHARES, within};
 
 /// Up to this many chords between different sides, times the least maximum degree, the search for the
@@ -234,11 +235,7 @@ pub fn mesh(domain: &Domain, goal: Goal, progress: Progress<'_>) -> Result<Meshe
         Goal::LeastDegree => least_degree(domain, progress),
         Goal::KeepAngle(share) => keep_angle(domain, share, progress),
         Goal::MaxDegree(limit) => max_degree(domain, limit, progress),
-        Goal::Optimize(Optimized::Angle) => match least_by_formula(domain) {
-            Some(least) => max_degree(domain, least, progress),
-            // The solver works on any other domain anyway.
-            None => least_degree(domain, progress),
-        },
+        Goal::Optimize(Optimized::Angle) => optimize(domain, progress),
     }
 }
 
@@ -279,40 +276,6 @@ fn best_of_least_degree(posed: &Posed<'_>, progress: Progress<'_>) -> Result<Mes
     Ok(trade_off.meshed(0))
 }
 
-/// The mesh of the least degree that is found, with an angle that costs little to find.
-fn degree_first(posed: &Posed<'_>, progress: Progress<'_>) -> Result<Meshed, MeshError> {
-    /// The shares of Delaunay's angle that windows try to keep at degree 4.
-    const SHARES: [f64; 2] = [0.9, 0.5];
-    let range =
-        degree_range(&posed.problem, progress).map_err(|error| posed.unsolved(error, progress))?;
-    let meshed = |mesh, found_by| Meshed {
-        mesh,
-        least_max_degree: range.lower_bound,
-        is_least_proven: range.is_proven(),
-        found_by,
-        delaunay_min_angle: posed.delaunay_min_angle,
-    };
-    if let Reached::Search | Reached::Strip | Reached::Descent = range.reached_by {
-        let (triangles, found_by) = with_larger_angle(posed, &range, progress)?;
-        return Ok(meshed(posed.mesh(triangles)?, found_by));
-    }
-    let found_by = match range.reached_by {
-        Reached::Windows => FoundBy::Windows { share: 0.0 },
-        Reached::ZigZag(_) => FoundBy::ZigZag,
-        _ => FoundBy::Exhaustive,
-    };
-    if let FoundBy::ZigZag = found_by {
-        for share in SHARES {
-            if let Some(mesh) = posed.windows(share, range.max_degree, progress)?
-                && mesh.max_total_degree() <= range.max_degree
-            {
-                return Ok(meshed(mesh, FoundBy::Windows { share }));
-            }
-        }
-    }
-    Ok(meshed(posed.mesh(range.triangles.clone())?, found_by))
-}
-
 fn formula(domain: &Domain, progress: Progress<'_>) -> Result<Meshed, MeshError> {
     let form = domain.convex().ok_or_else(MeshError::not_convex)?;
     Ok(Meshed {
@@ -322,6 +285,16 @@ fn formula(domain: &Domain, progress: Progress<'_>) -> Result<Meshed, MeshError>
         found_by: FoundBy::Formula,
         delaunay_min_angle: None,
     })
+}
+
+/// The mesh that has the least degree as its limit.
+fn optimize(domain: &Domain, progress: Progress<'_>) -> Result<Meshed, MeshError> {
+    if let Some(least) = least_by_formula(domain) {
+        return max_degree(domain, least, progress);
+    }
+    let found = least_degree(domain, progress)?;
+    let best = max_degree(domain, found.mesh.max_total_degree(), progress)?;
+    Ok(best.with_bound_of(&found))
 }
 
 fn max_degree(domain: &Domain, limit: u32, progress: Progress<'_>) -> Result<Meshed, MeshError> {

@@ -52,6 +52,7 @@ pub mod bridge;
 pub mod changes;
 mod conflict;
 mod degree;
+mod degree_first;
 mod error;
 pub mod exact;
 pub mod fill;

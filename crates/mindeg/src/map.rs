@@ -3,7 +3,7 @@
 //! Limits: those of [models](crate::model); a face with points or lines inside, or one that touches itself, is improved by
 //! flips, and proofs know no more of it than the number of its edges.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 use mindeg_domain::Domain;
@@ -17,7 +17,7 @@ use crate::model::bound::{JointBound, cheap};
 use crate::model::face::PlaneFace;
 use crate::model::joint::Joint;
 use crate::model::solve::solve;
-use crate::trade_off::{ExactMesh, TradeOff};
+use crate::trade_off::{ExactMesh, TradeOff, keeps};
 use crate::windowed::SHARES;
 
 /// The work that one degree may take, as a share of that of a model: below a second.
@@ -155,7 +155,7 @@ pub(crate) fn least_degree(domain: &Domain, progress: Progress<'_>) -> Result<Me
     larger(domain, found, TRY, progress)
 }
 
-/// The mesh of the least degree that is found, with the largest angle that long tries find.
+/// The mesh of the least degree that is found, with the angle of [`max_degree`].
 pub(crate) fn optimize(domain: &Domain, progress: Progress<'_>) -> Result<Meshed, MeshError> {
     larger(domain, least(domain, 0, 1.0, progress)?, 1.0, progress)
 }
@@ -167,15 +167,12 @@ fn larger(
     effort: f64,
     progress: Progress<'_>,
 ) -> Result<Meshed, MeshError> {
-    let wider = SHARES.into_iter().filter(|&share| share > 0.0);
-    let (limit, at_least) = (found.max_degree(), found.at_least);
-    let larger = within(domain, wider, limit, effort, progress)?;
-    let larger = larger.map(|meshed| Meshed {
-        least_max_degree: at_least,
-        is_least_proven: at_least == meshed.mesh.max_total_degree(),
-        ..meshed
-    });
-    Ok(larger.unwrap_or_else(|| found.meshed(0.0)))
+    let larger = within(domain, wider(), found.max_degree(), effort, progress)?;
+    let found = found.meshed(0.0);
+    Ok(match larger {
+        Some(larger) => larger.with_bound_of(&found),
+        None => found,
+    })
 }
 
 /// The mesh of the least degree that is found, down to a limit.
@@ -208,9 +205,18 @@ pub(crate) fn keep_angle(
     progress: Progress<'_>,
 ) -> Result<Meshed, MeshError> {
     let kept = lowest(domain, share, 0, 1.0, progress)?;
-    // The same degree may keep more.
-    let more = SHARES.into_iter().filter(|&more| more > share);
-    let best = within(domain, more, kept.max_degree(), TRY, progress)?;
+    let at_least = kept.at_least;
+    // The first is the mesh that the trade-off has at its degree.
+    let enough = || SHARES.into_iter().filter(|&more| more > share).chain([share]);
+    let first = kept.max_degree();
+    let mut best = within(domain, enough(), first, 1.0, progress)?;
+    // A search that aims far below what is possible may end above what one for the next degree reaches.
+    let mut degree = best.as_ref().map_or(first, |best| best.mesh.max_total_degree());
+    while degree > at_least {
+        let Some(lower) = within(domain, enough(), degree - 1, 1.0, progress)? else { break };
+        degree = lower.mesh.max_total_degree();
+        best = Some(lower);
+    }
     Ok(best.unwrap_or_else(|| kept.meshed(share)))
 }
 
@@ -220,15 +226,12 @@ pub(crate) fn max_degree(
     limit: u32,
     progress: Progress<'_>,
 ) -> Result<Meshed, MeshError> {
-    if let Some(meshed) = within(domain, SHARES, limit, TRY, progress)? {
+    if let Some(meshed) = within(domain, wider(), limit, 1.0, progress)? {
         return Ok(meshed);
     }
-    let found = mesh_map(domain, 0.0, limit, 1.0, progress)?;
-    if found.max_degree() <= limit && found.keeps_limits {
-        return Ok(found.meshed(0.0));
-    }
+    let found = least(domain, limit, 1.0, progress)?;
     if found.max_degree() <= limit {
-        return Err(MeshError::LimitsNotReached);
+        return Ok(found.meshed(0.0));
     }
     Err(MeshError::not_reached(limit, found.max_degree(), found.at_least))
 }
@@ -251,32 +254,56 @@ fn within(
     Ok(None)
 }
 
-/// The angles that are reached at each degree.
+/// The shares that are tried for a larger angle.
+fn wider() -> impl Iterator<Item = f64> {
+    SHARES.into_iter().filter(|&share| share > 0.0)
+}
+
+/// The angle that [`max_degree`] reaches at each degree from the least on.
 pub(crate) fn trade_off(
     domain: &Domain,
     mut is_enough: impl FnMut(f64, f64) -> bool,
     progress: Progress<'_>,
 ) -> Result<TradeOff, MeshError> {
     let mut meshes = Vec::<ExactMesh>::new();
-    let mut most = 0.0;
-    for share in SHARES {
-        let found = lowest(domain, share, 0, if share > 0.0 { TRY } else { 1.0 }, progress);
-        let found = match found {
-            // Smaller angles may keep the limits of single vertices.
-            Err(MeshError::LimitsNotReached) if share > 0.0 => continue,
-            found => found?,
-        };
-        most = found.delaunay_min_angle;
-        let max_degree = found.max_degree();
-        if meshes.last().is_none_or(|last| max_degree < last.max_degree) {
-            let min_angle = found.mesh.measure_angles(progress)?.min;
-            meshes.push(ExactMesh { max_degree, min_angle, is_proven: false, mesh: found.mesh });
+    let mut found = optimize(domain, progress)?;
+    let least = found.mesh.max_total_degree();
+    let most = found.delaunay_min_angle.unwrap_or(0.0);
+    for limit in degrees(domain, least, progress)? {
+        if limit > least {
+            found = self::max_degree(domain, limit, progress)?;
+        }
+        let min_angle = found.mesh.measure_angles(progress)?.min;
+        if meshes.last().is_none_or(|last| !keeps(last.min_angle, 1.0, min_angle)) {
+            let mesh = found.mesh.clone();
+            meshes.push(ExactMesh { max_degree: limit, min_angle, is_proven: false, mesh });
+        }
+        if keeps(min_angle, 1.0, most) || is_enough(min_angle, most) {
+            break;
         }
     }
-    meshes.reverse();
-    let enough = meshes.iter().position(|exact| is_enough(exact.min_angle, most));
-    meshes.truncate(enough.map_or(meshes.len(), |index| index + 1));
     Ok(TradeOff::new(domain, meshes, most, false))
+}
+
+/// The degrees of a trade-off from the least on: all up to that with which Delaunay's angle is kept, or those with which some
+/// shares are, where these are fewer.
+fn degrees(
+    domain: &Domain,
+    least: u32,
+    progress: Progress<'_>,
+) -> Result<BTreeSet<u32>, MeshError> {
+    let kept = |share| match lowest(domain, share, 0, TRY, progress) {
+        Ok(found) => Ok(Some(found.max_degree())),
+        // With limits of single vertices, no mesh may have such an angle.
+        Err(MeshError::LimitsNotReached) => Ok(None),
+        Err(error) => Err(error),
+    };
+    let highest = kept(1.0)?.unwrap_or(least + MORE);
+    if highest <= least + SHARES.len() as u32 {
+        return Ok((least..=highest.max(least)).collect());
+    }
+    let some = wider().map(kept).collect::<Result<Vec<_>, _>>()?;
+    Ok(some.into_iter().flatten().filter(|degree| *degree > least).chain([least]).collect())
 }
 
 /// The minimum angle of the Delaunay triangulations of all faces, in degrees.

@@ -40,3 +40,15 @@ pub struct Meshed {
     /// The minimum angle of a Delaunay triangulation, in degrees, if that was worked out.
     pub delaunay_min_angle: Option<f64>,
 }
+
+impl Meshed {
+    /// The same mesh with what another work on the domain says of the least degree.
+    pub(crate) fn with_bound_of(self, other: &Self) -> Self {
+        let least_max_degree = self.least_max_degree.max(other.least_max_degree);
+        let is_known = |meshed: &Self| {
+            meshed.is_least_proven && meshed.least_max_degree == least_max_degree
+                || meshed.mesh.max_total_degree() == least_max_degree
+        };
+        Self { is_least_proven: is_known(&self) || is_known(other), least_max_degree, ..self }
+    }
+}

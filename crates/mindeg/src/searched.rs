@@ -37,6 +37,25 @@ impl<'p, 'd> Searched<'p, 'd> {
         let Some(cover) = Cover::of(&posed.problem, progress)? else { return Ok(None) };
         let range = degree_range(&posed.problem, progress)
             .map_err(|error| posed.unsolved(error, progress))?;
+        Self::with_cover(posed, cover, range, progress).map(Some)
+    }
+
+    /// Where the least degree was looked for already; none for too many candidates.
+    pub(crate) fn of_range(
+        posed: &'p Posed<'d>,
+        range: DegreeRange,
+        progress: Progress<'p>,
+    ) -> Result<Option<Self>, MeshError> {
+        let cover = Cover::of(&posed.problem, progress)?;
+        cover.map(|cover| Self::with_cover(posed, cover, range, progress)).transpose()
+    }
+
+    fn with_cover(
+        posed: &'p Posed<'d>,
+        cover: Cover,
+        range: DegreeRange,
+        progress: Progress<'p>,
+    ) -> Result<Self, MeshError> {
         let mut meshes = Vec::new();
         for share in SHARES {
             match windowed(posed, share, progress) {
@@ -47,7 +66,7 @@ impl<'p, 'd> Searched<'p, 'd> {
                 Err(error) => return Err(error),
             }
         }
-        Ok(Some(Self { posed, cover, range, known: meshes, progress }))
+        Ok(Self { posed, cover, range, known: meshes, progress })
     }
 
     /// The mesh with the largest minimum angle that is found within a degree limit.
@@ -168,21 +187,4 @@ impl<'p, 'd> Searched<'p, 'd> {
         let is_least_proven = self.range.is_proven();
         Ok(TradeOff::new(self.posed.domain(), meshes, delaunay, is_least_proven))
     }
-}
-
-/// The triangles that reach the least degree of a search, with a larger minimum angle if one is found, and how.
-pub(crate) fn with_larger_angle(
-    posed: &Posed<'_>,
-    range: &DegreeRange,
-    progress: Progress<'_>,
-) -> Result<(Vec<[u32; 3]>, FoundBy), MeshError> {
-    let problem = &posed.problem;
-    let Some(cover) = Cover::of(problem, progress)? else {
-        return Ok((range.triangles.clone(), FoundBy::Exhaustive));
-    };
-    let mut steps = problem.max_steps();
-    let found =
-        cover.largest_angle(problem, range.max_degree, &range.triangles, &mut steps, progress)?;
-    let is_proven = found.is_largest && range.is_proven();
-    Ok((found.triangles, if is_proven { FoundBy::Search } else { FoundBy::Exhaustive }))
 }

@@ -303,14 +303,23 @@ fn holes_between_lines_stay_empty() {
 fn goals_trade_degree_for_angle_on_a_map() {
     let domain = Domain::from_json(PLATE).unwrap();
     let trade_off = trade_off(&domain, Progress::NONE).unwrap();
-    let [least, .., last] = trade_off.meshes() else { panic!("{trade_off:?}") };
-    assert!(least.max_degree < last.max_degree && least.min_angle < last.min_angle);
+    let last = trade_off.meshes().last().unwrap();
     assert!((trade_off.share(last) - 1.0).abs() < 1e-9 && !trade_off.is_exact());
     let kept = mesh(&domain, Goal::KeepAngle(0.9), Progress::NONE).unwrap();
     assert!(kept.mesh.angle_range().min >= 0.9 * trade_off.delaunay_min_angle() * (1.0 - 1e-9));
     let within = mesh(&domain, Goal::MaxDegree(last.max_degree), Progress::NONE).unwrap();
     assert!(within.mesh.max_degree() <= last.max_degree);
     assert!(within.mesh.angle_range().min >= last.min_angle * (1.0 - 1e-9));
+    // Each row is the mesh of its command.
+    for row in trade_off.meshes() {
+        let made = mesh(&domain, Goal::MaxDegree(row.max_degree), Progress::NONE).unwrap();
+        assert_eq!(made.mesh.angle_range().min, row.mesh.angle_range().min, "{}", row.max_degree);
+    }
+    let goal = Goal::Optimize(mindeg::Optimized::Angle);
+    let fewest = mesh(&domain, goal, Progress::NONE).unwrap().mesh;
+    let first = &trade_off.meshes()[0];
+    assert_eq!(fewest.max_total_degree(), first.max_degree);
+    assert_eq!(fewest.angle_range().min, first.mesh.angle_range().min);
     let refused = mesh(&domain, Goal::MaxDegree(4), Progress::NONE).unwrap_err().to_string();
     assert!(
         refused.starts_with("no mesh here has maximum degree 4: each has at least "),

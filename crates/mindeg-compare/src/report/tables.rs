@@ -50,6 +50,7 @@ pub(crate) fn choice(report: &Report) -> Table {
             (Some(Purpose::Patch), _) => {
                 format!("Degree {} (for a patch)", count(figures.max_degree.unwrap_or(0)))
             }
+            (Some(Purpose::Fewest), Method::Fewest) => "Fewest edges".to_owned(),
             (_, Method::DELAUNAY) => "Delaunay".to_owned(),
             _ => "Least degree".to_owned(),
         };

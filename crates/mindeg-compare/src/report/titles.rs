@@ -37,6 +37,7 @@ pub(crate) fn title(report: &Report, method: Method) -> String {
             format!("Degree {}, largest angle", count(max_degree))
         }
         Method::Exact { .. } | Method::Kept => "Keeps 95% of the angle".to_owned(),
+        Method::Fewest => "Fewest edges".to_owned(),
         Method::Inside => "Points inside".to_owned(),
     }
 }
@@ -84,7 +85,7 @@ mod tests {
 
     #[test]
     fn a_mesh_appears_once_under_a_title_that_reads_well() {
-        use Method::{Exact, Inside, Kept, LeastDegree};
+        use Method::{Exact, Fewest, Inside, Kept, LeastDegree};
         let (four, five) = (Exact { max_degree: 4 }, Exact { max_degree: 5 });
         let ears = Method::Reference(Reference::EarClipping);
         for (methods, title) in [
@@ -93,6 +94,7 @@ mod tests {
             (&[LeastDegree, five], "Least degree, keeps 95% of the angle"),
             (&[LeastDegree, Kept], "Least degree, keeps 95% of the angle"),
             (&[LeastDegree, Method::DELAUNAY, ears], "Least degree and Delaunay and ear clipping"),
+            (&[LeastDegree, Fewest], "Least degree, fewest edges"),
             (&[LeastDegree, Inside], "Least degree, points inside"),
             (&[Method::DELAUNAY, four], "Delaunay, largest angle"),
             (&[four], "Degree 4, largest angle"),

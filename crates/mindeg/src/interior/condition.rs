@@ -1,6 +1,7 @@
 //! A domain whose boundary lets a mesh with points inside reach a given angle.
 
 use std::collections::BTreeSet;
+use std::ops::Range;
 
 use glam::DVec2;
 use mindeg_condition::{BoundaryDemands, Conditioned, Hold, Point, condition_map};
@@ -128,8 +129,36 @@ fn condition_beside(
     let marks: Vec<DVec2> = regions.chain(beside.iter().copied()).collect();
     let found = condition_map(&boundary, demands, hold, has_domain, &marks);
     let found = found.map_err(|error| refused(&error))?;
-    let rebuilt = pieces.rebuilt(&found).map_err(|error| refused(&error))?;
-    Ok((rebuilt, found))
+    let rebuilt = |how| pieces.rebuilt(&found, how).map_err(|error| refused(&error));
+    let kept = rebuilt(Sides::KeptWhereTheyStay).ok();
+    let new = match kept.filter(|(new, points)| has_points(new, points)) {
+        Some((new, _)) => new,
+        None => rebuilt(Sides::OfPoints)?.0,
+    };
+    Ok((new, found))
+}
+
+/// Of the extent of a domain, points may be so far from where they were when a side that was read the other way round is written:
+/// its law then runs from the other end.
+const ROUNDING: f64 = 1e-14;
+
+/// Whether the rings of a domain have these points, in order; bit for bit where lines inside may share them.
+fn has_points(domain: &Domain, points: &[DVec2]) -> bool {
+    let bounds = domain.placement().bounds();
+    let extent = bounds.max.abs().max(bounds.min.abs()).max_element();
+    let reach = if domain.is_map() { 0.0 } else { ROUNDING * extent };
+    let is_near = |(made, wanted): (DVec2, &DVec2)| made.distance(*wanted) <= reach;
+    domain.placement().points().count() == points.len()
+        && domain.placement().points().zip(points).all(is_near)
+}
+
+/// How the sides of a conditioned boundary are described.
+#[derive(Clone, Copy)]
+enum Sides {
+    /// As they were, where all their points are.
+    KeptWhereTheyStay,
+    /// By their points.
+    OfPoints,
 }
 
 /// The edges of a boundary with the sides and lines that they are of.
@@ -226,14 +255,24 @@ impl<'a> Pieces<'a> {
     }
 
     /// The domain with the new rings and lines.
-    fn rebuilt(&self, found: &Conditioned) -> Result<Domain, mindeg_domain::DomainError> {
-        let rings = (0..).zip(&found.rings);
-        let mut rings = rings.map(|(index, ring)| self.ring_of(ring, true, index == 0));
+    fn rebuilt(
+        &self,
+        found: &Conditioned,
+        how: Sides,
+    ) -> Result<(Domain, Vec<DVec2>), mindeg_domain::DomainError> {
+        let mut places = Vec::new();
+        let mut all = Vec::new();
+        for (index, ring) in found.rings.iter().enumerate() {
+            let (ring, own) = self.ring_of(ring, true, index == 0, how);
+            places.extend(own);
+            all.push(ring);
+        }
+        let mut rings = all.into_iter();
         let Ring { corners, sides } = rings.next().unwrap_or_default();
         let lines = found.lines.iter().zip(&self.domain.inside().lines);
         let inside = Inside {
             lines: lines
-                .map(|(points, line)| self.ring_of(points, !line.is_open(), false))
+                .map(|(points, line)| self.ring_of(points, !line.is_open(), false, how).0)
                 .collect(),
             ..self.domain.inside().clone()
         };
@@ -244,14 +283,21 @@ impl<'a> Pieces<'a> {
             None => new,
         };
         let new = new.with_projection(self.domain.projection().copied());
-        Ok(match self.domain.interior() {
+        let new = match self.domain.interior() {
             Some(interior) => new.with_interior(interior.clone()),
             None => new,
-        })
+        };
+        Ok((new, places))
     }
 
-    /// A conditioned ring or line with its sides, from the first corner that is left.
-    fn ring_of(&self, points: &[Point], is_closed: bool, is_outer: bool) -> Ring {
+    /// A conditioned ring or line with its sides, from the first corner that is left, and its points in order.
+    fn ring_of(
+        &self,
+        points: &[Point],
+        is_closed: bool,
+        is_outer: bool,
+        how: Sides,
+    ) -> (Ring, Vec<DVec2>) {
         // A corner that was cut off leaves its sides to the points beside it.
         let is_corner = |at: usize| {
             let (point, before) = (&points[at], &points[(at + points.len() - 1) % points.len()]);
@@ -262,8 +308,10 @@ impl<'a> Pieces<'a> {
             true => (0..points.len()).find(|at| is_corner(*at)).unwrap_or(0),
             false => 0,
         };
-        let mut ring = Ring::default();
+        let order = (0..points.len()).map(|step| points[(first + step) % points.len()].at);
+        let (mut ring, order) = (Ring::default(), order.collect());
         let mut inner: Vec<Vec<DVec2>> = Vec::new();
+        let mut edges: Vec<u32> = Vec::new();
         for step in 0..points.len() {
             let at = (first + step) % points.len();
             let point = &points[at];
@@ -275,14 +323,59 @@ impl<'a> Pieces<'a> {
             } else {
                 ring.corners.push(point.at);
                 inner.push(Vec::new());
+                edges.push(point.edge);
                 let (name, kind) = self.told_on(is_outer, point.edge);
                 let name = name.map(str::to_owned);
                 ring.sides.push(Side { name, kind, ..Side::count(1) });
             }
         }
-        for (side, points) in ring.sides.iter_mut().zip(inner) {
-            *side = Side { name: side.name.take(), kind: side.kind, ..Side::points(points) };
+        for (at, points) in inner.into_iter().enumerate() {
+            let end = ring.corners.get(at + 1).copied().or_else(|| ring.corners.first().copied());
+            let ends = [Some(ring.corners[at]), end];
+            let side = &mut ring.sides[at];
+            let as_it_was = match how {
+                Sides::KeptWhereTheyStay => self.unchanged(edges[at], side, ends, &points),
+                Sides::OfPoints => None,
+            };
+            *side = as_it_was.unwrap_or_else(|| Side {
+                name: side.name.take(),
+                kind: side.kind,
+                ..Side::points(points)
+            });
         }
-        ring
+        (ring, order)
+    }
+
+    /// The side that begins with an edge, with its law and its curve, if it has these points, its ends first.
+    fn unchanged(
+        &self,
+        edge: u32,
+        told: &Side,
+        ends: [Option<DVec2>; 2],
+        inner: &[DVec2],
+    ) -> Option<Side> {
+        let old = self.side(edge);
+        if (&old.name, old.kind) != (&told.name, told.kind) || old.matches.is_some() {
+            return None;
+        }
+        let edges = self.edges_of(edge);
+        let last = edges.clone().next_back()?;
+        let starts = edges.clone().map(|edge| self.boundary.ends(edge)[0]);
+        let vertices = starts.chain([self.boundary.ends(last)[1]]);
+        let was = vertices.map(|vertex| self.boundary.point(vertex));
+        let is = ends[0].into_iter().chain(inner.iter().copied()).chain(ends[1]);
+        let is_same = edge == edges.start && edges.len() == inner.len() + 1 && was.eq(is);
+        is_same.then(|| old.clone())
+    }
+
+    /// The edges of the side that an edge is of.
+    fn edges_of(&self, edge: u32) -> Range<u32> {
+        let Some((line, _, first)) = self.of_line(edge) else {
+            let (rings, side) = (self.domain.rings(), self.domain.rings().side_of(edge));
+            return rings.corner(side)..rings.corner(side) + rings.intervals(side);
+        };
+        let of_side = &self.of_lines[(first - self.boundary.vertex_count()) as usize..];
+        let own = of_side.iter().take_while(|other| (other.0, other.2) == (line, first));
+        first..first + own.count() as u32
     }
 }

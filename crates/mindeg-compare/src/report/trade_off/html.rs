@@ -79,7 +79,7 @@ struct Figure {
 /// use mindeg_answers::advice::Advice;
 ///
 /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?.named("plate")?;
-/// let advice = Advice::of(&domain, Progress::NONE)?;
+/// let advice = Advice::of(std::slice::from_ref(&domain), Progress::NONE).map_err(|(_, error)| error)?;
 /// let mut page = Vec::new();
 /// write_trade_off_html(&exact::trade_off(&domain, Progress::NONE)?, &advice, None, None, Provenance::default(), &mut page)?;
 /// let page = String::from_utf8(page)?;
