@@ -105,6 +105,7 @@ export function showNothing() {
 
 /** Offers the file of the mesh in a picture; where the page has none, the command that makes it stands in its place. */
 function offerDownload({ id, figure }, isThere) {
+  figure.classList.toggle("missing", !isThere);
   for (const button of figure.querySelectorAll(".jumps button")) button.hidden = !isThere;
   if (id !== "main") return;
   for (const name of ["download", "format", "format-note"]) element(name).hidden = !isThere;
