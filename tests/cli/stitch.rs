@@ -129,6 +129,44 @@ fn what_cannot_be_stitched_is_refused_with_the_place() {
     assert_eq!(content(folder.path()), before);
 }
 
+#[test]
+fn meshes_beside_the_antimeridian_are_joined_across_it() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let polygon = |name: &str, ring: [[f64; 2]; 4]| {
+        let text = json!({"type": "Polygon", "coordinates": [ring]}).to_string();
+        let file = path(&format!("{name}.geojson"));
+        fs::write(&file, text).expect("a file");
+        file
+    };
+    let mesh = |name: &str, ring| {
+        let [file, out] = [polygon(name, ring), path(&format!("{name}.14"))];
+        let size = ["--size", "15km", "-o", &out];
+        mindeg([&["mesh", &file, "--project", "auto", "--interior"][..], &size].concat()).text();
+        out
+    };
+    let ocean = mesh("ocean", [[179.0, -17.0], [180.0, -17.0], [180.0, -16.0], [179.0, -16.0]]);
+    let river = mesh("river", [[-179.7, -16.6], [-179.2, -16.6], [-179.2, -16.4], [-179.7, -16.4]]);
+    let ring = [[179.95, -16.65], [-179.6, -16.65], [-179.6, -16.35], [179.95, -16.35]];
+    let area = polygon("area", ring);
+    let out = path("both.14");
+    let run =
+        mindeg(["stitch", &ocean, &river, "--within", &area, "--project", "auto", "-o", &out]);
+    run.text();
+    let [[old, first], [nodes, triangles]] = [&*ocean, &*out].map(lists);
+    assert_eq!((&nodes[..old.len()], &triangles[..first.len()]), (&old[..], &first[..]));
+    // Longitudes go on from the first mesh, and no triangle runs around the globe.
+    let longitudes = nodes.iter().map(|node| node[0]);
+    let most = longitudes.fold(0.0, f64::max);
+    assert!((most - 180.8).abs() < 1e-6, "{most}");
+    for corners in triangles {
+        let own = corners[1..].iter().map(|node| nodes[*node as usize - 1][0]);
+        let [low, high] =
+            own.fold([f64::INFINITY, 0.0], |[low, high], it| [low.min(it), high.max(it)]);
+        assert!(high - low < 0.5, "{low} {high}");
+    }
+}
+
 /// Joins two meshes that overlap: the first one is the start of the result, and what the summary tells holds there.
 fn overlapped(meshes: [&str; 2], out: &str, more: &[&str]) -> Value {
     let run = [&["stitch", meshes[0], meshes[1], "--json", "-o", out][..], more].concat();

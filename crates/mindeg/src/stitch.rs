@@ -15,15 +15,17 @@ mod joining;
 mod overlap;
 mod proof;
 
+use std::borrow::Cow;
 use std::cmp::Reverse;
 
+use glam::DVec3;
 use mindeg_domain::{Domain, Interior, Projection};
 use mindeg_mesh::{Progress, TriMesh, Triangles};
 
 use self::cut::Cut;
 use self::front::{Front, Named};
 use self::gap::{Corner, Step};
-use self::joining::{Joining, New, Told, in_plane};
+use self::joining::{Joining, New, Told, beside, in_plane};
 pub use self::joining::{STITCH, Stitched};
 pub use self::overlap::Dropped;
 use self::overlap::Overlap;
@@ -42,7 +44,8 @@ pub enum Gap<'a> {
     Overlap(Option<&'a Projection>),
 }
 
-/// Joins meshes by a mesh of the gap between them. Depths of new vertices lie between those of the meshes.
+/// Joins meshes by a mesh of the gap between them. Depths of new vertices lie between those of the meshes. In degrees, longitudes go on
+/// across the antimeridian from the first mesh.
 ///
 /// O(n log n) for n triangles, and n k for an area of k points.
 ///
@@ -76,6 +79,15 @@ pub fn stitch(
     wanted: &Interior,
     progress: Progress<'_>,
 ) -> Result<Stitched, MeshError> {
+    let projection = match gap {
+        Gap::Within(area) => area.projection(),
+        Gap::Overlap(projection) => projection,
+    };
+    let meshes = match projection {
+        Some(_) => Cow::Owned(going_on(meshes)?),
+        None => Cow::Borrowed(meshes),
+    };
+    let meshes = &*meshes;
     match gap {
         Gap::Within(area) => within(meshes, area, wanted, progress),
         Gap::Overlap(projection) => match meshes {
@@ -85,6 +97,21 @@ pub fn stitch(
             )),
         },
     }
+}
+
+/// Meshes in degrees whose longitudes go on across the antimeridian from the first vertex on.
+fn going_on(meshes: &[TriMesh]) -> Result<Vec<TriMesh>, MeshError> {
+    let first = meshes.iter().find_map(|mesh| mesh.positions().first());
+    let origin = first.map_or(0.0, |first| first.x);
+    let moved = |mesh: &TriMesh| {
+        let at = |at: &DVec3| DVec3 { x: beside(at.x, origin), ..*at };
+        let positions: Vec<DVec3> = mesh.positions().iter().map(at).collect();
+        if positions == mesh.positions() {
+            return Ok(mesh.clone());
+        }
+        Ok(mesh.clone().with_positions(positions)?)
+    };
+    meshes.iter().map(moved).collect()
 }
 
 fn within(

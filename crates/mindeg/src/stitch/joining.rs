@@ -233,7 +233,14 @@ impl Joining {
     /// The whole mesh, proven.
     pub(super) fn with(self, new: New) -> Result<Stitched, MeshError> {
         let Self { whole, points, next, projection, .. } = &self;
-        let degrees = |at: DVec2| projection.as_ref().map_or(at, |it| it.to_degrees(at));
+        let origin = whole.positions().first().map_or(0.0, |point| point.x);
+        let degrees = |at: DVec2| match projection {
+            Some(projection) => {
+                let degrees = projection.to_degrees(at);
+                DVec2::new(beside(degrees.x, origin), degrees.y)
+            }
+            None => at,
+        };
         let z = whole.positions().first().map_or(0.0, |point| point.z);
         let mut positions = whole.positions().to_vec();
         positions.extend(new.points.iter().map(|point| degrees(*point).extend(z)));
@@ -291,6 +298,11 @@ impl Joining {
         let triangles = start..mesh.triangles().len() as u32;
         Ok(Stitched { mesh, triangles, vertices, min_angle, joined, dropped: None })
     }
+}
+
+/// The longitude that is nearest to another one.
+pub(super) fn beside(longitude: f64, other: f64) -> f64 {
+    longitude + 360.0 * ((other - longitude) / 360.0).round()
 }
 
 /// The vertices of a mesh in the plane of a projection, if there is one.
