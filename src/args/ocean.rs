@@ -170,7 +170,7 @@ pub(crate) struct DepthArguments {
     #[arg(long, value_name = "N", value_parser = above_0, allow_hyphen_values = true)]
     pub(crate) slope: Option<f64>,
 
-    /// Sizes by the depth are at least what this time step allows at a Courant number of 0.5
+    /// Tells its greatest Courant number; sizes by the depth are at least what 0.5 allows
     #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_hyphen_values = true)]
     pub(crate) time_step: Option<f64>,
 }

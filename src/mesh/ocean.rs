@@ -42,23 +42,15 @@ pub(super) fn by_depth(
     domains: &[Domain],
 ) -> Result<Interior, Failure> {
     let mut wanted = wanted.clone();
-    match (arguments.depth.rules(), depths) {
-        (Some(rules), Some(depths)) => {
-            let points = domains.iter().flat_map(|domain| domain.placement().points());
-            let sizes = depths.sizes(&rules, points);
-            if sizes.points.is_empty() {
-                return Err(Failure::input(
-                    "the depths ask for no size: none is above 0 in the box around the domain",
-                ));
-            }
-            wanted.sizes.push(Size::Between(sizes));
-        }
-        (None, _) if arguments.depth.time_step.is_some() => {
+    if let (Some(rules), Some(depths)) = (arguments.depth.rules(), depths) {
+        let points = domains.iter().flat_map(|domain| domain.placement().points());
+        let sizes = depths.sizes(&rules, points);
+        if sizes.points.is_empty() {
             return Err(Failure::input(
-                "--time-step limits the sizes of --wavelength and --slope: add one of them",
+                "the depths ask for no size: none is above 0 in the box around the domain",
             ));
         }
-        _ => {}
+        wanted.sizes.push(Size::Between(sizes));
     }
     Ok(wanted)
 }

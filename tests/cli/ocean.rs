@@ -658,3 +658,32 @@ fn depths_of_another_region_are_refused() {
     mindeg([&sea[..], &[&out]].concat()).refuses(&["no vertex of the mesh lies on the grid"]);
     assert!(!Path::new(&out).exists());
 }
+
+#[test]
+fn a_stretch_of_open_water_and_the_land_of_a_box_are_one_boundary_each() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let ring = [[20.0, 36.0], [21.0, 36.0], [21.0, 37.0], [20.5, 36.8], [20.0, 37.0]];
+    let sea = path("sea.geojson");
+    fs::write(&sea, json!({"type": "Polygon", "coordinates": [ring]}).to_string()).expect("a file");
+    let out = path("sea.14");
+    let counts = |options: &[&str]| {
+        let common =
+            ["mesh", &sea, "--project", "auto", "--interior", "--size", "15km", "-o", &out];
+        mindeg([&common[..], options].concat()).text();
+        let grid = fort14(Path::new(&out));
+        [grid.open.len(), grid.closed.len()]
+    };
+    // Around a corner of the box, by points and by the names of its sides; and land alone.
+    assert_eq!(counts(&["--open-between", "20.5,36", "21,36.5"]), [1, 1]);
+    assert_eq!(counts(&["--open", "south", "--open", "east"]), [1, 1]);
+    assert_eq!(counts(&["--open", "south", "--open", "west"]), [1, 1]);
+    assert_eq!(counts(&[]), [0, 1]);
+    // A time step is told with depths alone.
+    let depths = path("depths.asc");
+    let grid = "ncols 2\nnrows 2\nxllcorner 19\nyllcorner 35\ncellsize 2\n50 50\n50 50\n";
+    fs::write(&depths, grid).expect("a file");
+    let common = ["mesh", &sea, "--project", "auto", "--interior", "--size", "15km", "-o", &out];
+    let run = mindeg([&common[..], &["--depth", &depths, "--time-step", "5"]].concat());
+    assert!(run.errors.contains("a time step of 5.000 s has Courant numbers"), "{}", run.errors);
+}

@@ -33,7 +33,7 @@ impl Domain {
     /// The same points, with sides that are open water, land or island. Sides end where open water does, and rings begin there.
     ///
     /// Sides that have no name are called open, land or island, so that a file has few long boundaries; the open water of
-    /// [`OpenWater::Box`] is called open whatever its sides were called. A kind that a side has stays, but for open water.
+    /// [`OpenWater::Box`], and a stretch of sides with several names, is called open whatever its sides were called. A kind that a side has stays, but for open water.
     /// Of the stretches that are on the box alone the longest is open: a box cuts bays and straits, too. With a `least_length` all
     /// stretches are open that are no shorter. The others are land; all are told.
     ///
@@ -107,7 +107,7 @@ impl Domain {
                     is_anywhere = true;
                     let edge = &mut asked[edge as usize];
                     match part {
-                        OpenWater::Box => edge.is_of_box = true,
+                        OpenWater::Box => (edge.is_of_box, edge.is_nameless) = (true, true),
                         OpenWater::Side(_) | OpenWater::Between(_) => edge.by_place = true,
                     }
                 }
@@ -118,17 +118,15 @@ impl Domain {
         }
         let mut found = Vec::new();
         let mut opened = |(domain, mut asked): (&Self, Vec<Asked>)| {
-            // Where the box is open, sides have no names of their own, whether they are open or land.
-            let is_of_box: Vec<bool> = asked.iter().map(|edge| edge.is_of_box).collect();
             found.extend(openings(domain, &mut asked, least_length));
-            let is_open = asked.iter().map(|edge| edge.is_open());
-            domain.opened(&is_open.zip(is_of_box).map(|(a, b)| [a, b]).collect::<Vec<_>>())
+            let marks = asked.iter().map(|edge| [edge.is_open(), edge.is_nameless]);
+            domain.opened(&marks.collect::<Vec<_>>())
         };
         let new: Result<_, _> = domains.iter().zip(asked).map(&mut opened).collect();
         Ok((new?, found))
     }
 
-    /// The domain with open edges: whether each one is, and whether it was asked to be so by the box.
+    /// The domain with open edges: whether each one is, and whether it loses its name.
     fn opened(&self, marks: &[[bool; 2]]) -> Result<Self, DomainError> {
         let rings = self.rings();
         let mut new: Vec<Ring> = Vec::new();
@@ -218,7 +216,7 @@ impl Domain {
         if distance > size * FAR {
             let unit = if is_projected { " m" } else { "" };
             return wrong(format!(
-                "({}, {}) is {}{unit} from the nearest vertex of the boundary, more than a tenth of all of it: give points on the \
+                "({}, {}) is {}{unit} from the nearest vertex of the boundary, more than a tenth of the size of all domains: give points on the \
                  boundary, x (longitude) first",
                 end.x,
                 end.y,
@@ -340,7 +338,7 @@ fn begin_with_a_stretch(ring: &mut Ring) {
 }
 
 /// A side with its kind, and with the name of its kind if it has none.
-fn told(side: Side, is_hole: bool, [is_open, is_of_box]: [bool; 2]) -> Side {
+fn told(side: Side, is_hole: bool, [is_open, is_nameless]: [bool; 2]) -> Side {
     let kind = match side.kind {
         _ if is_open => LineKind::Open,
         Some(kind) => kind,
@@ -352,7 +350,7 @@ fn told(side: Side, is_hole: bool, [is_open, is_of_box]: [bool; 2]) -> Side {
         LineKind::Land => "land",
         LineKind::Island => "island",
     };
-    let name = side.name.clone().filter(|_| !is_of_box);
+    let name = side.name.clone().filter(|_| !is_nameless);
     Side { name: name.or(Some(own.to_owned())), kind: Some(kind), ..side }
 }
 
@@ -406,6 +404,14 @@ mod tests {
             vec![Side::count(2), named, Side::count(2), Side::count(1)],
         )
         .unwrap();
+        // Between points it passes by sides with and without names: one stretch, which has none.
+        let around = OpenWater::Between([[0.0, 0.0], [1.0, 1.0]].map(DVec2::from));
+        let (found, openings) = domain.with_open_water(&[around], None).unwrap();
+        let open_sides = |domain: &Domain| -> Vec<String> {
+            sides(domain).into_iter().filter(|side| side.1 == open).map(|side| side.0).collect()
+        };
+        assert!(openings.len() == 1 && open_sides(&found).iter().all(|name| name == "open"));
+        assert_eq!(open_sides(&found).len(), 3);
         let strait = OpenWater::Side("strait".to_owned());
         let (found, _) = domain.with_open_water(&[strait], None).unwrap();
         assert!(sides(&found).contains(&told("strait", open, 2)), "{:?}", sides(&found));

@@ -3,6 +3,7 @@
 //! An edge runs straight in degrees, as RFC 7946 has it, and the short way around the globe. So a ring across the
 //! antimeridian needs no cut, and one around a pole no seam.
 
+mod box_sides;
 mod touching;
 
 use std::str::FromStr;
@@ -15,14 +16,13 @@ use super::curve::PieceCurve;
 use super::outline::{DrawnRing, Outlines, Piece};
 use super::text::counted;
 use crate::error::OutlineError;
+use box_sides::{BoxSides, NEAR, turned};
 use touching::Touching;
 
 /// An edge gets a point in its middle where that is farther than this share of its length from the line in the plane.
 const MOST_BENT: f64 = 1e-4;
 /// A given projection that changes lengths by more than this share is told to be a bad one here.
 const MOST_OFF: f64 = 0.02;
-/// Coordinates nearer to each other, in degrees, are one.
-const NEAR: f64 = 1e-9;
 
 /// The projection that is wanted for degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -134,11 +134,13 @@ impl Outlines {
         let Some(projection) = choice.of(starts()).map_err(wrong)? else {
             return Ok((self, None));
         };
-        let scales = starts().map(|point| projection.scale(point));
+        let sides = BoxSides::of(starts());
+        let inside = sides.lattice().into_iter().filter(|at| sides.is_in(&self.features, *at));
+        let scales = starts().chain(inside.map(|at| sides.degrees(at)));
+        let scales = scales.map(|point| projection.scale(point)).filter(|scale| scale.is_finite());
         let [least, most] = scales.fold([f64::INFINITY, 0.0], |[least, most], it| {
             [f64::min(least, it), f64::max(most, it)]
         });
-        let sides = BoxSides::of(starts());
         let touching = Touching::of(&sides, starts());
         let mut projecting = Projecting { projection, sides, added: 0, named: 0 };
         for ring in self.features.iter_mut().flat_map(|feature| &mut feature.rings) {
@@ -185,60 +187,16 @@ fn expect_degrees(at: DVec2) -> Result<(), String> {
     if at.x.abs() <= 360.0 && at.y.abs() <= 90.0 {
         return Ok(());
     }
+    if at.x.abs() <= 90.0 && at.y.abs() <= 180.0 {
+        return Err(format!(
+            "({}, {}) is no longitude and latitude in degrees, but the other way round it would be: GeoJSON has the longitude first",
+            at.x, at.y
+        ));
+    }
     Err(format!(
         "({}, {}) is no longitude and latitude in degrees: the file seems to be projected already; leave out --project",
         at.x, at.y
     ))
-}
-
-/// A longitude from -180, which is left out, to 180.
-fn turned(longitude: f64) -> f64 {
-    let turned = longitude - 360.0 * libm::ceil((longitude - 180.0) / 360.0);
-    if longitude.abs() < 180.0 { longitude } else { turned }
-}
-
-/// The box around all points in degrees.
-struct BoxSides {
-    /// Longitudes count from here.
-    origin: f64,
-    least: DVec2,
-    most: DVec2,
-}
-
-impl BoxSides {
-    fn of(points: impl Iterator<Item = DVec2>) -> Self {
-        let mut sides =
-            Self { origin: f64::NAN, least: DVec2::INFINITY, most: DVec2::NEG_INFINITY };
-        for point in points {
-            if sides.origin.is_nan() {
-                sides.origin = point.x;
-            }
-            let at = sides.place(point);
-            sides.least = sides.least.min(at);
-            sides.most = sides.most.max(at);
-        }
-        sides
-    }
-
-    fn place(&self, point: DVec2) -> DVec2 {
-        DVec2::new(turned(point.x - self.origin), point.y)
-    }
-
-    /// The name of the side on which both ends of an edge lie.
-    fn name(&self, ends: [DVec2; 2]) -> Option<&'static str> {
-        let [a, b] = ends.map(|end| self.place(end));
-        let is_on = |axis: usize, side: DVec2| {
-            (a[axis] - side[axis]).abs() < NEAR && (b[axis] - side[axis]).abs() < NEAR
-        };
-        [
-            ("south", 1, self.least),
-            ("east", 0, self.most),
-            ("north", 1, self.most),
-            ("west", 0, self.least),
-        ]
-        .into_iter()
-        .find_map(|(name, axis, side)| is_on(axis, side).then_some(name))
-    }
 }
 
 fn is_pole(point: DVec2) -> bool {
@@ -366,6 +324,22 @@ mod tests {
         let alone = |_: &str| Err(std::io::ErrorKind::NotFound.into());
         let outlines = read(text.as_bytes(), OutlineFormat::GeoJson, alone).unwrap();
         outlines.projected(choice.parse().unwrap()).map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn the_scale_is_looked_at_inside_and_swapped_coordinates_are_told() {
+        // Around the pole a polar projection is true to scale at 70 degrees, and shorter at the pole.
+        let ring: Vec<[f64; 2]> = (0..36).map(|i| [f64::from(10 * i) - 175.0, 72.0]).collect();
+        let across = format!("[{:?}]", [[0.0, 72.0], [90.0, 72.0], [170.0, 72.0], [-90.0, 72.0]]);
+        for rings in [format!("[{ring:?}]"), across] {
+            let (outlines, _) = projected(&rings, "EPSG:3413").unwrap();
+            assert!(outlines.notes[0].contains("are 0.9"), "{:?}", outlines.notes);
+        }
+        let wide = "[[[-20, 0], [20, 0], [20, 60], [-20, 60]]]";
+        let (outlines, _) = projected(wide, "+proj=stere +lat_0=30 +lon_0=0").unwrap();
+        assert!(outlines.notes[0].contains("are 1.0000 to 1.1"), "{:?}", outlines.notes);
+        let swapped = projected("[[[36, 120], [37, 120], [37, 121]]]", "auto").unwrap_err();
+        assert!(swapped.contains("GeoJSON has the longitude first"), "{swapped}");
     }
 
     #[test]

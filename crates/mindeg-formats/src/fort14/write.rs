@@ -45,6 +45,9 @@ fn points(mesh: &dyn Mesh, range: Range<u32>) -> impl Iterator<Item = [f64; 3]> 
     positions(mesh, range).zip(depths).map(|(point, depth)| [point.x, point.y, depth + 0.0])
 }
 
+/// The names of sides of outlines on the box around their degrees, and of land without a name, which nobody gave.
+const PLAIN: [&str; 5] = ["south", "east", "north", "west", "land"];
+
 /// A boundary segment of the file.
 struct Segment {
     kind: LineKind,
@@ -71,7 +74,10 @@ fn segments(boundary: &MarkedChains<'_>) -> [Vec<Segment>; 2] {
         };
         let name = |chain: &MarkedChain| &*boundary.names[chain.name as usize];
         let goes_on = |a: &MarkedChain, b: &MarkedChain| {
-            let is_one = a.name == b.name || [a, b].map(name).into_iter().all(is_counted);
+            // A box around degrees cuts a sea into land by its sides.
+            let is_plain =
+                |name: &str| is_counted(name) || PLAIN.contains(&name) && kind(a) != LineKind::Open;
+            let is_one = a.name == b.name || [a, b].map(name).into_iter().all(is_plain);
             a.end == b.start && kind(a) == kind(b) && is_one
         };
         let mut chains = ring.to_vec();

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 
 use glam::DVec2;
 
-use super::BoxSides;
+use super::box_sides::BoxSides;
 use crate::outline::Piece;
 
 /// All points by their meridians and by their parallels, in order.
