@@ -69,8 +69,8 @@ pub(crate) struct MeshArguments {
     pub(crate) preset: PresetArgument,
 
     /// Print a summary as JSON; its keys: name, intervals, vertices, triangles, max_degree, least_max_degree,
-    /// at_least, min_angle, max_angle, found_by, delaunay_min_angle, reversed, files, and where they apply regions,
-    /// parts, conditioned, openings, depths and projection
+    /// at_least, min_angle, max_angle, angle_limit (Delaunay's least angle), share_of_limit, found_by, reversed, files,
+    /// and where they apply regions, parts, conditioned, openings, depths and projection
     #[arg(long, help_heading = "Messages")]
     pub(crate) json: bool,
 

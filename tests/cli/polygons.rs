@@ -95,8 +95,9 @@ fn a_mesh_keeps_what_it_is_asked_for() {
     assert_eq!((&least["max_degree"], &least["least_max_degree"]), (&5.into(), &5.into()));
     let kept = mindeg(["mesh", path, "-o", out, "--keep-angle", "95%", "--json"]).json();
     assert_eq!(kept["max_degree"], 6);
-    let share = kept["min_angle"].as_f64().zip(kept["delaunay_min_angle"].as_f64());
-    assert!(share.is_some_and(|(angle, most)| angle >= 0.95 * most), "{kept}");
+    let [angle, most, share] =
+        ["min_angle", "angle_limit", "share_of_limit"].map(|key| kept[key].as_f64().unwrap());
+    assert!(angle >= 0.95 * most && (share - angle / most).abs() < 1e-9, "{kept}");
     mindeg(["mesh", path, "-o", out, "--max-degree", "4"]).refuses(&["the least is 5"]);
     let seen = mindeg(["inspect", out, "--json"]).json();
     assert_eq!((&seen["max_degree"], &seen["euler_characteristic"]), (&6.into(), &1.into()));

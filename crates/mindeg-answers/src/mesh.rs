@@ -33,8 +33,10 @@ pub struct MeshAnswer {
     pub max_angle: f64,
     /// See [`found_by`].
     pub found_by: &'static str,
-    /// Null where it was not worked out.
-    pub delaunay_min_angle: Option<f64>,
+    /// The largest minimum angle of all meshes of these points, Delaunay's; null where it was not worked out.
+    pub angle_limit: Option<f64>,
+    /// `min_angle` / `angle_limit`, of several domains the least; at most 1.
+    pub share_of_limit: Option<f64>,
     /// Whether the corners ran clockwise.
     pub reversed: bool,
 }
@@ -99,7 +101,8 @@ impl MeshAnswer {
             min_angle,
             max_angle,
             found_by: found_by(meshed.found_by),
-            delaunay_min_angle: meshed.delaunay_min_angle,
+            angle_limit: meshed.delaunay_min_angle,
+            share_of_limit: meshed.delaunay_min_angle.map(|most| share_of(min_angle, most)),
             reversed: domain.was_reversed(),
         }
     }
@@ -126,8 +129,9 @@ impl MeshBesideAnswer {
         let parts: Vec<MeshAnswer> = found.parts.iter().zip(angles).map(answer).collect();
         let (least, is_proven) = found.least_max_degree();
         let highest = parts.iter().rev().max_by_key(|part| part.max_degree);
-        let delaunay = parts.iter().map(|part| part.delaunay_min_angle);
-        let least_angle = |a: f64, b: f64| a.min(b);
+        let least_of = |value: fn(&MeshAnswer) -> Option<f64>| {
+            parts.iter().map(value).reduce(|a, b| Some(a?.min(b?))).flatten()
+        };
         let all = MeshAnswer {
             name: name.map(str::to_owned),
             intervals: parts.iter().flat_map(|part| part.intervals.iter().copied()).collect(),
@@ -136,10 +140,11 @@ impl MeshBesideAnswer {
             max_degree: parts.iter().map(|part| part.max_degree).fold(0, u32::max),
             least_max_degree: is_proven.then_some(least),
             at_least: least,
-            min_angle: parts.iter().map(|part| part.min_angle).fold(f64::INFINITY, least_angle),
+            min_angle: parts.iter().map(|part| part.min_angle).fold(f64::INFINITY, f64::min),
             max_angle: parts.iter().map(|part| part.max_angle).fold(0.0, f64::max),
             found_by: highest.map_or("windows", |part| part.found_by),
-            delaunay_min_angle: delaunay.reduce(|a, b| Some(least_angle(a?, b?))).flatten(),
+            angle_limit: least_of(|part| part.angle_limit),
+            share_of_limit: least_of(|part| part.share_of_limit),
             reversed: parts.iter().any(|part| part.reversed),
         };
         let regions = region_count(found.parts.iter().map(|part| part.mesh.domain()));
