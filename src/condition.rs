@@ -6,8 +6,8 @@ use crate::domain::{Parts, Subject, UNNAMED, describe, name, opened};
 use crate::failure::Failure;
 use crate::interrupt::clean_up_on_interrupt;
 use crate::standard_output::{print, print_json};
-use mindeg::Domain;
 use mindeg::interior::condition_all;
+use mindeg::{Domain, Interior};
 use mindeg_answers::condition::ConditionAnswer;
 use mindeg_answers::names::shown;
 use mindeg_compare::write_changes_svg;
@@ -24,7 +24,11 @@ pub(crate) fn run(arguments: &ConditionArguments) -> Result<(), Failure> {
     refuse_degrees(&subject, &arguments.change, size)?;
     let Parts { name: of_all, domains } = subject.parts()?;
     let (domains, _) = arguments.kinds.told(&domains)?;
-    let demands = arguments.change.demands(arguments.limit, size, arguments.growth);
+    let has_corners_inside = arguments
+        .preset
+        .is_some_and(|preset| preset.asked_of(Interior::default()).has_corners_inside());
+    let demands =
+        arguments.change.demands(arguments.limit, size, arguments.growth, has_corners_inside);
     let found = bar.waiting("conditioning the boundary", || {
         condition_all(&domains, &demands, &arguments.change.keep)
     });

@@ -34,7 +34,7 @@ pub(crate) fn run(arguments: &ImproveArguments) -> Result<(), Failure> {
     making.tell_dropped([&mesh]);
     let file = arguments.file.display().to_string();
     making.open()?;
-    let wanted = arguments.aims.over(None);
+    let wanted = arguments.preset.asked_of(arguments.aims.over(None));
     let improved = making.work(|progress| interior::improve(&mesh, &wanted, progress));
     let improved = improved.map_err(|error| Failure::Input(format!("{file}: {error}")))?;
     let demands = Demands {

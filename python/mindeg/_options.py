@@ -37,6 +37,7 @@ class InteriorOptions(TypedDict, total=False):
     across: float | None
     interior_degree: tuple[int, int] | None
     boundary_degree: int | None
+    boundary_corners: int | None
     target_angle: float | None
     prefer: Literal["degree", "angle"] | None
     sizes: npt.ArrayLike | Callable[[Any], npt.ArrayLike] | Sequence[Any] | Mapping[str, Any] | str | os.PathLike[str] | None

@@ -1,11 +1,13 @@
 //! `mindeg condition`.
 
+use super::demands::preset_parser;
 use super::domain::OutlineOptions;
 use super::ocean::BoundaryKinds;
 use super::values::{Length, area, distance, length_with_unit};
 use super::with_exit_codes;
 use clap::Args;
 use mindeg::interior::{BoundaryDemands, LEAST_GROWTH};
+use mindeg_answers::preset::Preset;
 use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
@@ -40,6 +42,11 @@ pub(crate) struct ConditionArguments {
     /// where lengths change gradually; 0.35 or more, 0.4 with --size, else no such rule
     #[arg(long, value_name = "G", value_parser = growth, allow_hyphen_values = true)]
     pub(crate) growth: Option<f64>,
+
+    /// The program that the mesh is for: one such as telemac wants a corner inside in each triangle, so corners of the
+    /// boundary take two triangles
+    #[arg(long, value_name = "PROGRAM", value_parser = preset_parser())]
+    pub(crate) preset: Option<Preset>,
 
     #[command(flatten)]
     pub(crate) change: ChangeArguments,
@@ -110,6 +117,7 @@ impl ChangeArguments {
         angle: f64,
         size: Option<Length>,
         growth: Option<f64>,
+        corners_inside: bool,
     ) -> BoundaryDemands {
         let base =
             size.map_or_else(BoundaryDemands::default, |it| BoundaryDemands::of_size(it.value));
@@ -117,6 +125,7 @@ impl ChangeArguments {
             angle,
             within: self.within.map_or(base.within, |it| it.value),
             growth: growth.unwrap_or(base.growth),
+            least_triangles: if corners_inside { 2 } else { 1 },
             narrowest: self.narrowest.map_or(0.0, |it| it.value),
             least_hole: self.least_island.map_or(0.0, |it| it.value),
             ..base

@@ -3,6 +3,7 @@
 use super::values::{target_angle, whole_number};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
+use mindeg::Interior;
 use mindeg_answers::demands::Demands;
 use mindeg_answers::preset::{PRESETS, Preset};
 
@@ -38,7 +39,17 @@ pub(crate) struct PresetArgument {
     pub(crate) preset: Option<Preset>,
 }
 
-fn preset_parser() -> impl TypedValueParser<Value = Preset> {
+impl PresetArgument {
+    /// The wishes for points inside with what the rules ask of them.
+    pub(crate) fn asked_of(&self, wanted: Interior) -> Interior {
+        match self.preset {
+            Some(preset) => preset.asked_of(wanted),
+            None => wanted,
+        }
+    }
+}
+
+pub(super) fn preset_parser() -> impl TypedValueParser<Value = Preset> {
     PossibleValuesParser::new(PRESETS.iter().map(|preset| preset.name)).map(|name| {
         let named = PRESETS.iter().find(|preset| preset.name == name);
         named.expect("one of the possible values")

@@ -43,7 +43,8 @@ pub(crate) struct Wanted<const PLACES: bool> {
 }
 
 /// The aims of an optimiser.
-const AIMS: [&str; 4] = ["interior_degree", "boundary_degree", "target_angle", "prefer"];
+const AIMS: [&str; 5] =
+    ["interior_degree", "boundary_degree", "boundary_corners", "target_angle", "prefer"];
 
 impl<const PLACES: bool> Wanted<PLACES> {
     /// The wishes of a file, with those of the options in their place.
@@ -125,7 +126,9 @@ fn value(key: &str, text: &str) -> Result<Value, String> {
         (Err(_), "interior_degree") => {
             Err("give the least and the greatest degree, such as 5..7".to_owned())
         }
-        (Err(_), "boundary_degree" | "max_points") => Err("give a whole number".to_owned()),
+        (Err(_), "boundary_degree" | "boundary_corners" | "max_points") => {
+            Err("give a whole number".to_owned())
+        }
         (Err(_), _) => Err("give a number".to_owned()),
     }
 }

@@ -19,7 +19,6 @@ Examples:
   mindeg mesh assets/domains/plate-with-holes.json --interior -o plate.vtu
   mindeg mesh --rectangle 4x3 --size 0.5 -o plate.obj
   mindeg mesh assets/domains/wing-panel.json --keep-angle 95% -o wing.glb
-  mindeg mesh assets/domains/wing-panel.json --max-degree 5 -o wing.obj
   mindeg mesh --corners \"0,0 4,0 3,2\" --intervals 8,5,7 -o wedge.gltf
   mindeg mesh assets/models/bracket.obj --size 5 -o bracket.glb
   mindeg mesh - -o - --format obj < domain.json | zstd > mesh.obj.zst";
@@ -68,9 +67,9 @@ pub(crate) struct MeshArguments {
     #[command(flatten)]
     pub(crate) preset: PresetArgument,
 
-    /// Print a summary as JSON; its keys: name, intervals, vertices, triangles, max_degree, least_max_degree,
-    /// at_least, min_angle, max_angle, angle_limit (Delaunay's least angle), share_of_limit, found_by, reversed, files,
-    /// and where they apply regions, parts, conditioned, openings, depths and projection
+    /// Print JSON; its keys: name, intervals, vertices, triangles, max_degree, least_max_degree,
+    /// at_least, min_angle, max_angle, angle_limit, share_of_limit, found_by, reversed, files, and where they apply
+    /// regions, parts, conditioned, openings, depths and projection
     #[arg(long, help_heading = "Messages")]
     pub(crate) json: bool,
 

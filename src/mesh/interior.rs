@@ -99,7 +99,7 @@ fn with_sizes(arguments: &MeshArguments, file: Option<&Interior>) -> Result<Inte
     for path in &arguments.interior.sizes {
         wanted.sizes.push(Size::Between(SESSION.sizes(&Input::of(path))?));
     }
-    Ok(wanted)
+    Ok(arguments.preset.asked_of(wanted))
 }
 
 /// The domains to mesh, as the options change them.
@@ -111,13 +111,18 @@ struct Prepared<'d> {
     openings: Vec<Opening>,
 }
 
-fn prepared<'d>(arguments: &MeshArguments, domains: &'d [Domain]) -> Result<Prepared<'d>, Failure> {
+fn prepared<'d>(
+    arguments: &MeshArguments,
+    wanted: &Interior,
+    domains: &'d [Domain],
+) -> Result<Prepared<'d>, Failure> {
     let Some(angle) = arguments.condition else {
         let (domains, openings) = arguments.kinds.told(domains)?;
         return Ok(Prepared { domains, conditioned: None, openings });
     };
     let change = &arguments.change;
-    let demands = change.demands(angle, arguments.domain.options.size, None);
+    let corners_inside = wanted.has_corners_inside();
+    let demands = change.demands(angle, arguments.domain.options.size, None, corners_inside);
     let (new, conditioned) = interior::condition_all(domains, &demands, &change.keep)
         .map_err(|(_, error)| Failure::input(error))?;
     let answer = ConditionAnswer::of(domains, &new, &conditioned);
@@ -181,7 +186,7 @@ pub(super) fn run(
     mut making: Making,
 ) -> Result<(), Failure> {
     let old = std::slice::from_ref(domain);
-    let Prepared { domains, conditioned, openings } = prepared(arguments, old)?;
+    let Prepared { domains, conditioned, openings } = prepared(arguments, wanted, old)?;
     let domain = &domains[0];
     let depths = arguments.depth.read(domain.projection())?;
     let wanted = &by_depth(arguments, depths.as_ref(), wanted, &domains)?;
@@ -234,11 +239,12 @@ pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Res
     let surface = &arguments.surface;
     let mut making = Making::new(surface, &surface.output, arguments.quiet, arguments.json)?;
     let old = Parts::of(polygons, SEPARATE)?.domains;
-    let Prepared { domains, conditioned, openings } = prepared(arguments, &old)?;
+    let wanted = with_sizes(arguments, None)?;
+    let Prepared { domains, conditioned, openings } = prepared(arguments, &wanted, &old)?;
     let projection = domains.first().and_then(Domain::projection).copied();
     making.unproject(projection.as_ref());
     let depths = arguments.depth.read(projection.as_ref())?;
-    let wanted = by_depth(arguments, depths.as_ref(), &with_sizes(arguments, None)?, &domains)?;
+    let wanted = by_depth(arguments, depths.as_ref(), &wanted, &domains)?;
     making.open()?;
     let meshed = making.work(|progress| interior::mesh_all(&domains, &wanted, progress));
     let mut found = meshed.map_err(|(index, error)| refused(&domains[index], &wanted, &error))?;

@@ -687,3 +687,30 @@ fn a_stretch_of_open_water_and_the_land_of_a_box_are_one_boundary_each() {
     let run = mindeg([&common[..], &["--depth", &depths, "--time-step", "5"]].concat());
     assert!(run.errors.contains("a time step of 5.000 s has Courant numbers"), "{}", run.errors);
 }
+
+#[test]
+fn a_coast_keeps_the_rules_of_telemac_and_fvcom() {
+    let folder = tempfile::tempdir().expect("a folder for the files");
+    let sea = |name: &str| folder.path().join(name).display().to_string();
+    let step =
+        ["--project", "auto", "--interior", "--condition=25", "--size", "4km", "--open", "box"];
+    let mesh = |out: &str, more: &[&str]| {
+        mindeg([&["mesh", &coast(), "-o", out, "--json", "-q"], &step[..], more].concat())
+    };
+    let run = mesh(&sea("usual.14"), &[]);
+    assert_eq!(run.code, Some(0), "{run:?}");
+    let inspected = mindeg(["inspect", &sea("usual.14"), "--preset", "telemac"]);
+    assert_eq!(inspected.code, Some(3), "{inspected:?}");
+    assert!(inspected.errors.contains("has all its corners on the boundary"), "{inspected:?}");
+    for preset in ["telemac", "fvcom"] {
+        let out = sea(&format!("{preset}.14"));
+        let answer = mesh(&out, &["--preset", preset]).json();
+        let angle = answer["min_angle"].as_f64().expect("an angle");
+        assert!(angle > 15.0 && answer["violations"] == json!([]), "{preset}: {angle}");
+        let Fort14 { points, triangles, open, closed } = fort14(Path::new(&out));
+        let mut is_inside = vec![true; points.len()];
+        let ends = open.iter().chain(closed.iter().map(|segment| &segment.1)).flatten();
+        ends.for_each(|node| is_inside[*node] = false);
+        assert!(triangles.iter().all(|nodes| nodes.iter().any(|node| is_inside[*node])));
+    }
+}

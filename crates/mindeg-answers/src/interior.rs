@@ -309,7 +309,8 @@ pub fn corners(report: &InteriorReport) -> Option<String> {
 /// The violations with their places, and which of them are in every mesh, if there are any.
 #[must_use]
 pub fn violations(report: &InteriorReport) -> Option<String> {
-    let text = named(report.violations.iter())?;
+    let text = named(report.violations.iter()).into_iter().chain(outside(report));
+    let text = text.reduce(|all, one| format!("{all}. {one}"))?;
     let proofs = certified(report).into_iter().chain(together(report));
     Some(proofs.fold(text, |text, proof| format!("{text}. {proof}")))
 }
@@ -322,10 +323,24 @@ pub fn unmet_degrees(
     wanted: &Interior,
     has_degree_limits: bool,
 ) -> Option<String> {
-    named(report.violations.iter().filter(|violation| match violation.is_boundary {
+    let unmet = named(report.violations.iter().filter(|violation| match violation.is_boundary {
         true => wanted.boundary_degree.is_some() || has_degree_limits,
         false => wanted.interior_degree.is_some(),
-    }))
+    }));
+    let all: Vec<String> = unmet.into_iter().chain(outside(report)).collect();
+    (!all.is_empty()).then(|| all.join("; "))
+}
+
+/// The triangles that have no corner inside, in words.
+fn outside(report: &InteriorReport) -> Option<String> {
+    let are = match report.outside {
+        0 => return None,
+        1 => "1 triangle has".to_owned(),
+        count => format!("{count} triangles have"),
+    };
+    Some(format!(
+        "{are} all corners at the boundary; where it is narrow, shorter edges there make room for points inside"
+    ))
 }
 
 fn named<'a>(violations: impl Iterator<Item = &'a Violation>) -> Option<String> {

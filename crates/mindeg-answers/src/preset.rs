@@ -1,6 +1,7 @@
 //! The rules that programs have for a mesh.
 
 use crate::numbers::{four_digits, steady_angle};
+use mindeg::Interior;
 use mindeg::glam::DVec3;
 use mindeg_mesh::{LineKind, TriMesh, Triangles as _};
 use std::f64::consts::PI;
@@ -151,6 +152,13 @@ impl PresetRules {
     pub fn broken_by(&self, mesh: &TriMesh) -> Option<String> {
         let broken = self.broken(mesh);
         (!broken.is_empty()).then(|| format!("preset {}: {}", self.name, broken.join("; ")))
+    }
+
+    /// The wishes for points inside with what these rules ask of them, where nothing else was wished.
+    #[must_use]
+    pub fn asked_of(&self, wanted: Interior) -> Interior {
+        let corners = (self.corner_inside || self.one_open_side).then_some(2);
+        Interior { boundary_corners: wanted.boundary_corners.or(corners), ..wanted }
     }
 
     fn broken(&self, mesh: &TriMesh) -> Vec<String> {

@@ -42,6 +42,8 @@ pub(crate) struct Chains {
     /// All vertices at each place where chains meet or end.
     meetings: BTreeMap<u32, Vec<u32>>,
     pub(crate) grid: Grid,
+    /// So many triangles meet at each vertex of a ring, at least.
+    pub(crate) least_triangles: u32,
     /// Points that no change may take to the other side.
     marks: Vec<DVec2>,
     marked: Grid,
@@ -59,6 +61,7 @@ impl Chains {
         hold: impl Fn(u32) -> Hold,
         has_domain: impl Fn(u32) -> [bool; 2],
         marks: &[DVec2],
+        least_triangles: u32,
     ) -> Self {
         let mut vertices: Vec<Vertex> = Vec::with_capacity(boundary.edge_count() as usize);
         let mut vertex = |of: u32, edge: u32, [previous, next]: [u32; 2], chain: usize| {
@@ -121,6 +124,7 @@ impl Chains {
             meetings: BTreeMap::new(),
             grid: Grid::new(&points),
             marked: Grid::new(&marks),
+            least_triangles,
             marks,
             changes: Vec::new(),
             longest: 0.0,

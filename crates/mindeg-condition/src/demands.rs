@@ -34,6 +34,8 @@ pub struct BoundaryDemands {
     pub growth: f64,
     /// Holes of a smaller area are dropped.
     pub least_hole: f64,
+    /// So many triangles meet at each vertex of a ring, 1 or 2, at least: with 2, a mesh may have a corner inside in each triangle.
+    pub least_triangles: u32,
     /// Narrower arms of the domain and straits are closed, narrower tongues of what is outside cut off, if they are deeper than wide.
     /// `within` does not bound this. 0: none.
     pub narrowest: f64,
@@ -42,7 +44,9 @@ pub struct BoundaryDemands {
 /// 25 degrees, and nothing moved.
 impl Default for BoundaryDemands {
     fn default() -> Self {
-        Self { angle: 25.0, within: 0.0, size: None, growth: 0.0, least_hole: 0.0, narrowest: 0.0 }
+        let least_triangles = 1;
+        let (within, growth, least_hole, narrowest) = (0.0, 0.0, 0.0, 0.0);
+        Self { angle: 25.0, within, size: None, growth, least_hole, least_triangles, narrowest }
     }
 }
 
@@ -72,6 +76,9 @@ impl BoundaryDemands {
         }
         if !is_length(self.least_hole) {
             return Err(ConditionError::Demand("the least area of a hole is to be 0 or more"));
+        }
+        if !(1..=2).contains(&self.least_triangles) {
+            return Err(ConditionError::Demand("the least number of triangles is to be 1 or 2"));
         }
         if !is_length(self.narrowest) {
             return Err(ConditionError::Demand("the least width is to be 0 or more"));

@@ -90,7 +90,7 @@ impl Chains {
             shortest = shortest.min(length);
         }
         // A corner that is too sharp gets the angle that it has, but for rounding.
-        let wanted = demands.angle.min(self.angle(vertex).to_degrees() * (1.0 - 1e-9));
+        let wanted = demands.angle.min(self.limit_of_angles(vertex) * (1.0 - 1e-9));
         let is_uneven = longest.0 > UNEVEN * shortest && self.limit(vertex) < wanted;
         long.extend(is_uneven.then_some((longest.1, Why::Limit)));
         long
@@ -183,7 +183,7 @@ impl Chains {
                 Reason::Meeting
             } else if self.is_kept(vertex) {
                 Reason::Kept
-            } else if self.angle(vertex).to_degrees() < demands.angle {
+            } else if self.limit_of_angles(vertex) < demands.angle {
                 Reason::Sharp
             } else if [self.previous(vertex), vertex].iter().any(|edge| self.is_kept_edge(*edge)) {
                 Reason::Kept

@@ -120,7 +120,8 @@ pub fn condition_map(
         let found = of_wide(boundary, demands, hold, has_domain, marks)?;
         return Ok(Conditioned { narrow, ..found });
     }
-    let before = Chains::new(boundary, &hold, &has_domain, marks).limit_of_all();
+    let least_triangles = demands.least_triangles;
+    let before = Chains::new(boundary, &hold, &has_domain, marks, least_triangles).limit_of_all();
     // The lines are as they were.
     let line = |line: usize| -> Vec<Point> {
         let first: u32 = (0..line).map(|line| boundary.line(line).len() as u32).sum();
@@ -165,7 +166,8 @@ fn of_wide(
         let (rings, lines) = chains.points();
         Ok(checked(boundary, &rings, &lines)?.0)
     };
-    let mut chains = Chains::new(boundary, &hold, &has_domain, marks);
+    let begun = || Chains::new(boundary, &hold, &has_domain, marks, demands.least_triangles);
+    let mut chains = begun();
     let before = chains.limit_of_all();
     chains.drop_holes(demands.least_hole);
     let is_good = before >= demands.angle
@@ -183,7 +185,7 @@ fn of_wide(
         let is_worth_it = (chains.edges().count() as f64) < WORTH_POINTS * points
             || had_short && !chains.has_shorter(SHORT);
         if is_good && !is_worth_it {
-            chains = Chains::new(boundary, &hold, &has_domain, marks);
+            chains = begun();
             narrow_inlets.clear();
         }
     }

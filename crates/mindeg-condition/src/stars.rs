@@ -2,7 +2,7 @@
 
 use crate::chains::Chains;
 use glam::DVec2;
-use mindeg_interior::limits::{degree_limit, fan_limit, star_limit};
+use mindeg_interior::limits::{degree_limit, fan_limit_from, star_limit};
 use std::f64::consts::TAU;
 
 /// The edges that a boundary vertex may have, but for reflex corners.
@@ -33,7 +33,8 @@ impl Chains {
                 (_, true) => star_limit(arc, MOST_INSIDE),
                 (&[(angle, [short, long])], false) => {
                     let triangles = degree_limit(angle, MOST_EDGES) - 1;
-                    fan_limit(angle, short, long, Some(triangles))
+                    let least = self.least_triangles;
+                    fan_limit_from(least, angle, [short, long], Some(triangles))
                 }
                 _ => star_limit(arc, degree_limit(whole, MOST_EDGES) - 1),
             }
@@ -46,6 +47,16 @@ impl Chains {
     pub(crate) fn angle(&self, vertex: u32) -> f64 {
         let (arcs, _) = self.arcs(vertex, vertex, DVec2::ZERO);
         arcs.into_iter().flatten().map(|sector| sector.0).fold(TAU, f64::min)
+    }
+
+    /// The limit at a vertex if its edges had the best lengths, in degrees: what its sectors' angles leave to their triangles.
+    pub(crate) fn limit_of_angles(&self, vertex: u32) -> f64 {
+        let (arcs, is_inside) = self.arcs(vertex, vertex, DVec2::ZERO);
+        let limit = |arc: &Vec<Sector>| match &arc[..] {
+            [sector] if !is_inside => sector.0 / f64::from(self.least_triangles),
+            sectors => sectors.iter().map(|sector| sector.0).fold(TAU, f64::min),
+        };
+        arcs.iter().map(limit).fold(TAU, f64::min).to_degrees()
     }
 
     /// The sectors of the domain at a vertex: one run for each room that something else bounds; and whether the domain is all around.

@@ -16,7 +16,7 @@ impl Chains {
         if demands.within == 0.0 {
             return;
         }
-        let is_tip = |v: &u32| self.angle(*v).to_degrees() < demands.angle;
+        let is_tip = |v: &u32| self.limit_of_angles(*v) < demands.angle;
         let tips: Vec<u32> = self.alive().filter(is_tip).collect();
         for tip in tips {
             if !self.is_kept(tip) {

@@ -136,6 +136,20 @@ fn a_tip_is_cut_as_far_as_is_allowed_and_named_if_that_is_not_at_all() {
 }
 
 #[test]
+fn a_corner_for_two_triangles_is_cut_below_twice_the_angle() {
+    let rings = [wedge(40.0)];
+    let usual = BoundaryDemands { within: 0.5, ..BoundaryDemands::default() };
+    let found = conditioned(&rings, &usual);
+    assert_eq!(count(&found, ChangeKind::Cut), 0);
+    let demands = BoundaryDemands { least_triangles: 2, ..usual };
+    let found = conditioned(&rings, &demands);
+    assert_eq!(count(&found, ChangeKind::Cut), 1);
+    assert!(found.before <= 20.0 + 1e-9 && found.after >= 25.0, "{found:?}");
+    let kept = conditioned(&rings, &BoundaryDemands { within: 0.0, ..demands });
+    assert!(kept.after <= 20.0 + 1e-9 && kept.left.len() == 1, "{kept:?}");
+}
+
+#[test]
 fn a_corner_that_is_too_sharp_gets_edges_for_the_angle_that_it_has() {
     let corner = 16.0_f64;
     let far = 20.0 * DVec2::from_angle(corner.to_radians());

@@ -16,6 +16,7 @@ const WIDE: BoundaryDemands = BoundaryDemands {
     size: None,
     growth: 0.0,
     least_hole: 0.0,
+    least_triangles: 1,
     narrowest: 1.0,
 };
 

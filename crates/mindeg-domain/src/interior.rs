@@ -43,10 +43,12 @@ pub struct Interior {
     #[cfg_attr(feature = "json", serde(default, with = "crate::json::range"))]
     #[cfg_attr(feature = "json", schemars(with = "Option<[u32; 2]>"))]
     pub interior_degree: Option<RangeInclusive<u32>>,
-    /// The most edges of a boundary vertex; at a reflex corner 2 + round(angle / 60°), if more
-    /// [default: 5]
+    /// The most edges at the boundary; more at reflex corners, 2 + round(angle/60°) [default: 5]
     #[cfg_attr(feature = "json", schemars(range(min = 4)))]
     pub boundary_degree: Option<u32>,
+    /// At most so many corners of a triangle at the boundary, 2 or 3 [default: 3]
+    #[cfg_attr(feature = "json", schemars(range(min = 2, max = 3)))]
+    pub boundary_corners: Option<u32>,
     /// The minimum angle in degrees [default: as much as the boundary allows, up to about 35]
     #[cfg_attr(feature = "json", schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 60)))]
     pub target_angle: Option<f64>,
@@ -92,6 +94,11 @@ impl Interior {
     /// The greatest degree wanted at the boundary: 5 unless it is given.
     pub fn boundary_degree(&self) -> u32 {
         self.boundary_degree.unwrap_or(5)
+    }
+
+    /// Whether each triangle has a corner inside.
+    pub fn has_corners_inside(&self) -> bool {
+        self.boundary_corners == Some(2)
     }
 
     /// Which aim wins: degrees, unless it is given.
@@ -160,6 +167,11 @@ impl Interior {
             let message =
                 format!("a boundary degree of {degree} is too low; use 4 or more (5 is usual)");
             return error(Place::key("boundary_degree"), message);
+        }
+        if let Some(corners) = self.boundary_corners.filter(|corners| !(2..=3).contains(corners)) {
+            let message =
+                format!("{corners} corners at the boundary are out of range; give 2 or 3");
+            return error(Place::key("boundary_corners"), message);
         }
         if let Some(angle) = self.target_angle.filter(|angle| !(*angle > 0.0 && *angle < 60.0)) {
             let message =

@@ -43,7 +43,10 @@ impl Weights {
     /// told where it is above the floor, or where shares count.
     pub(crate) fn triangle<S: Manifold>(&self, mesh: &ArrayMesh<S>, triangle: u32) -> (f64, f64) {
         let corners = mesh.corners(triangle);
-        let bend = S::bend(mesh, triangle);
+        let mut bend = S::bend(mesh, triangle);
+        if self.is_outside(mesh, triangle) {
+            bend += self.degree;
+        }
         if self.by_share {
             return (self.share(corners, self.wanted_sine(mesh, triangle)) + bend, 0.0);
         }
@@ -63,6 +66,15 @@ impl Weights {
         let angle = min_angle(corners);
         let lack = (self.wanted_angle(mesh, triangle) - angle).max(0.0) / 5.0;
         (cost + self.angle * lack * lack, angle)
+    }
+
+    /// True if a triangle has no corner inside and should have one.
+    pub(crate) fn is_outside<S: Manifold>(&self, mesh: &ArrayMesh<S>, triangle: u32) -> bool {
+        let is_at_boundary = |v: &u32| {
+            let goal = mesh.goals.get(mesh.vertices[*v as usize].goal as usize);
+            goal.is_some_and(|goal| goal.is_boundary)
+        };
+        self.corners_inside && mesh.triangles[triangle as usize].vertices.iter().all(is_at_boundary)
     }
 
     /// The sine of the angle that a triangle should have.

@@ -8,7 +8,6 @@ use crate::fixed::{breaklines, crowded};
 use crate::goal::{Goal, Weights, goals};
 use crate::joined::report_joined;
 use crate::lengths::SizeReport;
-use crate::limits::limits;
 use crate::measure::{Wanted, degrees_at_boundary, measure};
 use crate::optimise::{Pairs, optimise};
 use crate::options::{InteriorError, Options, check_coordinates, check_room, rounding};
@@ -85,7 +84,7 @@ struct Aims {
 
 impl Aims {
     fn new(outline: &PlanarBoundary, breaklines: &Breaklines, options: &Options) -> Self {
-        let stars = Stars::new(outline, breaklines);
+        let stars = options.stars(outline, breaklines);
         let goals = goals(outline, breaklines, &stars, options);
         Self { prefer: options.wanted.prefer(), breaklines: breaklines.clone(), stars, goals }
     }
@@ -157,7 +156,7 @@ fn generate_of(
         let [a, b] = [a, b].map(|v| outline.point(v));
         check_room(a, a.distance(b), rounding)?;
     }
-    let limits = limits(outline, |v| options.degree_limit(outline, v));
+    let limits = options.limits(outline, |_| 0);
     check_target(&limits, options)?;
     let floor = floor(options);
     let mut best: Option<Generated> = None;
@@ -210,10 +209,11 @@ fn generate_of(
                 stars,
                 limits,
                 most: counted(options),
+                corners_inside: options.wanted.has_corners_inside(),
             };
             let limits_at = |broken: &[Violation]| {
                 let has = degrees_at_boundary(broken, |v| v);
-                self::limits(outline, |v| options.degree_limit(outline, v).max(has(v)))
+                options.limits(outline, has)
             };
             let mut report = measure(&points, &triangles, &wanted, |v| v, limits_at);
             report_joined(&mut report, outline, stars, &way, (&points, &triangles));

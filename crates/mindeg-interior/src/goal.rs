@@ -71,7 +71,7 @@ pub(crate) fn goals(
         let (least, wanted, ideal) = match is_boundary {
             true => {
                 let ideal = outline.angle(vertex) / (PI / 3.0);
-                (1, options.degree_limit(outline, vertex) - 1, ideal)
+                (options.least_triangles(), options.degree_limit(outline, vertex) - 1, ideal)
             }
             false => (low, high, 6.0),
         };
@@ -145,6 +145,8 @@ pub(crate) struct Weights {
     pub(crate) may_violate: bool,
     /// The sine of the floor.
     pub(crate) floor_sine: f64,
+    /// True if a triangle with all corners at the boundary is wrong.
+    pub(crate) corners_inside: bool,
     /// True if what an angle lacks counts as a share of its local limit, and shape hardly.
     pub(crate) by_share: bool,
 }
@@ -163,6 +165,7 @@ impl Weights {
             interior: options.wanted.interior_degree(),
             may_violate,
             floor_sine: libm::sin(floor.min(60.0) * (PI / 180.0)),
+            corners_inside: options.wanted.has_corners_inside(),
             by_share: false,
         }
     }

@@ -5,7 +5,7 @@ use crate::breaklines::Breaklines;
 use crate::finish::finish;
 use crate::generate::{compact, end_of_start, end_of_try};
 use crate::goal::{Weights, goals};
-use crate::limits::{Limits, limits};
+use crate::limits::Limits;
 use crate::measure::{Wanted, degrees_at_boundary, measure};
 use crate::optimise::{Pairs, optimise};
 use crate::options::{InteriorError, MAX_POINTS, Options, is_usable};
@@ -172,9 +172,9 @@ impl Input {
                 vertex.kind = Kind::Boundary;
             }
         }
-        let stars = Stars::new(&outline, &lines);
+        let stars = options.stars(&outline, &lines);
         mesh.goals = goals(&outline, &lines, &stars, options);
-        let mut limits = limits(&outline, |v| options.degree_limit(&outline, v));
+        let mut limits = options.limits(&outline, |_| 0);
         let name = |v: &mut u32| *v = names[*v as usize];
         name(&mut limits.any_degree.vertex);
         name(&mut limits.with_degree_limit.vertex);
@@ -229,7 +229,7 @@ impl Input {
     ) -> InteriorReport {
         let limits_at = |broken: &[Violation]| {
             let has = degrees_at_boundary(broken, &goal);
-            limits(&self.boundary, |v| options.degree_limit(&self.boundary, v).max(has(v)))
+            options.limits(&self.boundary, has)
         };
         let wanted = Wanted {
             interior: options.wanted.interior_degree(),
@@ -237,6 +237,7 @@ impl Input {
             stars: &self.stars,
             limits: self.limits,
             most: counted(options),
+            corners_inside: options.wanted.has_corners_inside(),
         };
         measure(points, triangles, &wanted, &goal, limits_at)
     }

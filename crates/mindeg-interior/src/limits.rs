@@ -122,10 +122,21 @@ pub fn degree_limit(angle: f64, edges: u32) -> u32 {
 /// ```
 #[must_use]
 pub fn fan_limit(angle: f64, short: f64, long: f64, max_triangles: Option<u32>) -> f64 {
+    fan_limit_from(1, angle, [short, long], max_triangles)
+}
+
+/// [`fan_limit`] with at least so many triangles.
+#[must_use]
+pub fn fan_limit_from(
+    least: u32,
+    angle: f64,
+    [short, long]: [f64; 2],
+    max_triangles: Option<u32>,
+) -> f64 {
     let ratio = (long / short).max(short / long);
     let log_ratio = libm::log(ratio);
     let mut best = 0.0_f64;
-    for triangles in 1..=max_triangles.unwrap_or(u32::MAX) {
+    for triangles in least..=max_triangles.unwrap_or(u32::MAX) {
         let share = angle / f64::from(triangles);
         if share <= best {
             break;
@@ -142,20 +153,28 @@ pub fn fan_limit(angle: f64, short: f64, long: f64, max_triangles: Option<u32>) 
 /// The fan limit at a vertex of an outline, in degrees.
 #[must_use]
 pub fn fan_limit_at(outline: &PlanarBoundary, vertex: u32, max_triangles: Option<u32>) -> f64 {
-    let lengths = [outline.length(vertex), outline.length(outline.previous(vertex))];
-    fan_limit(outline.angle(vertex), lengths[0], lengths[1], max_triangles)
+    fan_limit_at_from(1, outline, vertex, max_triangles)
 }
 
-/// The limits of a whole outline, if each boundary vertex has at most the edges that `degree_limit`
-/// gives it.
+fn fan_limit_at_from(least: u32, outline: &PlanarBoundary, vertex: u32, most: Option<u32>) -> f64 {
+    let lengths = [outline.length(vertex), outline.length(outline.previous(vertex))];
+    fan_limit_from(least, outline.angle(vertex), lengths, most)
+}
+
+/// The limits of a whole outline, if each boundary vertex has at least so many triangles, and at most the edges that
+/// `degree_limit` gives it.
 ///
 /// O(n log n) where edges are short beside the domain.
 #[must_use]
-pub fn limits(outline: &PlanarBoundary, degree_limit: impl Fn(u32) -> u32) -> Limits {
+pub fn limits(
+    outline: &PlanarBoundary,
+    triangles: u32,
+    degree_limit: impl Fn(u32) -> u32,
+) -> Limits {
     let least = |max_triangles: &dyn Fn(u32) -> Option<u32>| {
         let mut least = FanLimit { angle: f64::INFINITY, vertex: 0 };
         for vertex in 0..outline.vertex_count() {
-            let angle = fan_limit_at(outline, vertex, max_triangles(vertex));
+            let angle = fan_limit_at_from(triangles, outline, vertex, max_triangles(vertex));
             if angle < least.angle {
                 least = FanLimit { angle, vertex };
             }
@@ -163,7 +182,7 @@ pub fn limits(outline: &PlanarBoundary, degree_limit: impl Fn(u32) -> u32) -> Li
         least
     };
     let any_degree = least(&|_| None);
-    let with_degree_limit = least(&|v| Some(degree_limit(v).max(2) - 1));
+    let with_degree_limit = least(&|v| Some((degree_limit(v).max(2) - 1).max(triangles)));
     let tent = tent_limit(outline, any_degree.angle.max(with_degree_limit.angle));
     Limits { any_degree, with_degree_limit, tent }
 }
@@ -414,7 +433,7 @@ mod tests {
 
     /// The limits with so many edges at each boundary vertex.
     fn limits(outline: &PlanarBoundary, edges: u32) -> Limits {
-        super::limits(outline, |v| degree_limit(outline.angle(v), edges))
+        super::limits(outline, 1, |v| degree_limit(outline.angle(v), edges))
     }
 
     #[test]

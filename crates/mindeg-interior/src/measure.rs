@@ -22,6 +22,8 @@ pub(crate) struct Wanted<'a> {
     pub(crate) limits: Limits,
     /// No limit of a place counts for more than this, in degrees.
     pub(crate) most: f64,
+    /// Whether each triangle is to have a corner inside.
+    pub(crate) corners_inside: bool,
 }
 
 /// Measures a mesh. `index` gives the index of a vertex among those that stay; `limits_at` the limits if vertices have
@@ -29,7 +31,7 @@ pub(crate) struct Wanted<'a> {
 pub(crate) fn measure(
     points: &[DVec2],
     triangles: &[[u32; 3]],
-    Wanted { interior, goals, stars, limits, most }: &Wanted<'_>,
+    Wanted { interior, goals, stars, limits, most, corners_inside }: &Wanted<'_>,
     index_of: impl Fn(u32) -> u32,
     limits_at: impl Fn(&[Violation]) -> Limits,
 ) -> InteriorReport {
@@ -128,6 +130,9 @@ pub(crate) fn measure(
     let (mut local, shares) = local_shares(triangles, &angles, &local, *most);
     local.at = points.get(local.vertex as usize).copied().unwrap_or_default();
     local.is_tent = goal(local.vertex).is_some_and(|goal| goal.tents <= local.limit);
+    let is_at_boundary = |v: &u32| goal(*v).is_some_and(|goal| goal.is_boundary);
+    let is_outside = |t: &&[u32; 3]| *corners_inside && t.iter().all(is_at_boundary);
+    let outside = triangles.iter().filter(is_outside).count();
     InteriorReport {
         limits: *limits,
         min_angle: least.0,
@@ -141,6 +146,7 @@ pub(crate) fn measure(
         interior_degree: inside.map(|(low, high)| low..=high),
         boundary_degree: boundary.0..=boundary.1,
         violations,
+        outside,
         certified,
         together,
         at_least,
@@ -306,8 +312,9 @@ mod tests {
             let mut triangles = [[3, 0, 2], [0, 1, 2]];
             triangles.iter_mut().for_each(|triangle| triangle.rotate_left(turn));
             let stars = Stars::default();
+            let (most, corners_inside) = (ENOUGH, false);
             let wanted =
-                Wanted { interior: 5..=7, goals: &[], stars: &stars, limits, most: ENOUGH };
+                Wanted { interior: 5..=7, goals: &[], stars: &stars, limits, most, corners_inside };
             let report = measure(&points, &triangles, &wanted, |v| v, |_| limits);
             let [small, large] = [libm::atan2(2.0, 4.0), libm::atan2(4.0, 4.0)];
             let least = (large - small).to_degrees();
@@ -355,6 +362,7 @@ mod tests {
             stars: &stars,
             limits: of(10.0),
             most: ENOUGH,
+            corners_inside: false,
         };
         let report = measure(&points, &triangles, &wanted, |v| v, limits_at);
         assert_eq!((report.limits.angle(), report.angle_limit), (10.0, 30.0));

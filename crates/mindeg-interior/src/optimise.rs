@@ -107,8 +107,11 @@ fn needy<S: Manifold>(mesh: &ArrayMesh<S>, weights: &Weights, need: Need) -> Vec
     (0..mesh.vertices.len() as u32).filter(|v| is_needy[*v as usize]).collect()
 }
 
-/// True if a triangle's minimum angle is smaller than it should be.
+/// True if a triangle's minimum angle is smaller than it should be, or no corner inside where one should be.
 fn lacks<S: Manifold>(mesh: &ArrayMesh<S>, weights: &Weights, triangle: u32) -> bool {
+    if weights.is_outside(mesh, triangle) {
+        return true;
+    }
     let corners = mesh.corners(triangle);
     !has_sine(corners, weights.floor_sine)
         && min_angle(corners) < weights.wanted_angle(mesh, triangle) - 1e-3

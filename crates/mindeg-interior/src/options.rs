@@ -1,6 +1,8 @@
 //! The aims of a mesh, and why they cannot be met.
 
-use crate::limits::degree_limit;
+use crate::breaklines::Breaklines;
+use crate::limits::{Limits, degree_limit, limits};
+use crate::star::Stars;
 use glam::DVec2;
 use mindeg_delaunay::DelaunayError;
 use mindeg_domain::{DomainError, Interior, Size, SizeAt, SizeFile, SizeFrom};
@@ -244,6 +246,24 @@ impl Options {
             Some(limit) => *limit,
             None => degree_limit(outline.angle(vertex), self.wanted.boundary_degree()),
         }
+    }
+
+    /// The least number of triangles at a boundary vertex: with one alone, all its corners are at the boundary.
+    pub(crate) fn least_triangles(&self) -> u32 {
+        if self.wanted.has_corners_inside() { 2 } else { 1 }
+    }
+
+    /// The limits of an outline whose vertices have the degrees wanted, or up to those of `beyond`.
+    #[must_use]
+    pub fn limits(&self, outline: &PlanarBoundary, beyond: impl Fn(u32) -> u32) -> Limits {
+        let degree_limit = |vertex| self.degree_limit(outline, vertex).max(beyond(vertex));
+        limits(outline, self.least_triangles(), degree_limit)
+    }
+
+    /// The stars of an outline's vertices.
+    pub(crate) fn stars(&self, outline: &PlanarBoundary, lines: &Breaklines) -> Stars {
+        let stars = Stars::new(outline, lines);
+        if self.wanted.has_corners_inside() { stars.with_corners_inside(outline) } else { stars }
     }
 
     /// Whether a segment of the boundary's lines may be divided.

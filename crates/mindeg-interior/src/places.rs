@@ -210,7 +210,13 @@ impl Work<'_> {
             }
         }
         for (t, triangle) in (0..).zip(&mesh.triangles) {
-            if !triangle.is_alive() || has_sine(mesh.corners(t), self.enough_sine) {
+            if !triangle.is_alive() {
+                continue;
+            }
+            if self.weights.is_outside(mesh, t) {
+                found.push((std::cmp::Reverse(1), 0.0, triangle.vertices[0]));
+            }
+            if has_sine(mesh.corners(t), self.enough_sine) {
                 continue;
             }
             let share = self.share(mesh, t);

@@ -134,6 +134,8 @@ pub struct InteriorReport {
     pub boundary_degree: RangeInclusive<u32>,
     /// Vertices whose degree is out of its range, in ascending order.
     pub violations: Vec<Violation>,
+    /// So many triangles have all corners at the boundary, where each is to have one inside.
+    pub outside: usize,
     /// Vertices whose degree no mesh brings into its range, in ascending order: all of them are violations.
     pub certified: Vec<CertifiedVertex>,
     /// Groups of vertices above their degree limits, which no mesh with such angles brings nearer to them.
@@ -197,6 +199,7 @@ impl InteriorReport {
             (self.angle_limit, self.limits) = (other.angle_limit, other.limits);
         }
         self.least_of_edges = self.least_of_edges.min(other.least_of_edges);
+        self.outside += other.outside;
         let below = self.local.below + other.local.below;
         if other.local.worst < self.local.worst {
             self.local = other.local;

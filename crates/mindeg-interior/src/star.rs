@@ -6,7 +6,7 @@
 //! keeps it.
 
 use crate::breaklines::Breaklines;
-use crate::limits::{fan_limit, shared_out};
+use crate::limits::{fan_limit_from, shared_out};
 use mindeg_mesh::planar::{PlanarBoundary, orientation};
 use std::f64::consts::TAU;
 
@@ -27,7 +27,7 @@ pub(crate) struct Sector {
 impl Sector {
     /// The fan limit in degrees with at most so many triangles.
     pub(crate) fn limit(&self, max_triangles: Option<u32>) -> f64 {
-        fan_limit(self.angle, self.lengths[0], self.lengths[1], max_triangles)
+        fan_limit_from(self.least, self.angle, self.lengths, max_triangles)
     }
 }
 
@@ -62,6 +62,19 @@ impl Stars {
             stars.starts.push(stars.sectors.len() as u32);
         }
         stars
+    }
+
+    /// The same where each triangle has a corner inside: a vertex of the outline without lines has two triangles, since the
+    /// only one would have its neighbours as corners.
+    pub(crate) fn with_corners_inside(mut self, outline: &PlanarBoundary) -> Self {
+        for vertex in 0..outline.vertex_count() as usize {
+            if let [sector] =
+                &mut self.sectors[self.starts[vertex] as usize..self.starts[vertex + 1] as usize]
+            {
+                sector.least = sector.least.max(2);
+            }
+        }
+        self
     }
 
     /// The sectors of a vertex on a ring.

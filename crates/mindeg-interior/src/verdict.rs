@@ -70,7 +70,7 @@ fn share(report: &InteriorReport, options: &Options) -> f64 {
 pub(crate) fn is_enough(report: &InteriorReport, options: &Options) -> bool {
     let wanted = if options.wanted.target_angle.is_some() { 1.0 } else { GOOD_SHARE };
     let degrees = report.violations.is_empty() || options.wanted.prefer() == Prefer::Angle;
-    let is_good = degrees && share(report, options) >= wanted;
+    let is_good = degrees && report.outside == 0 && share(report, options) >= wanted;
     is_good || report.triangles > MOST_TRIANGLES
 }
 
@@ -108,7 +108,8 @@ pub(crate) fn gain(after: &InteriorReport, before: &InteriorReport, options: &Op
 
 /// A key that is less for a better mesh.
 pub(crate) fn rank(report: &InteriorReport, options: &Options) -> [f64; 3] {
-    let (lack, wrong) = (1.0 - share(report, options), report.violations.len() as f64);
+    let (lack, wrong) =
+        (1.0 - share(report, options), (report.violations.len() + report.outside) as f64);
     match options.wanted.prefer() {
         Prefer::Degree => [wrong, lack, report.triangles as f64],
         // Shares that differ by less than a hundredth are alike.

@@ -12,7 +12,7 @@ const ALIKE: f64 = 2e-3;
 /// How good a mesh is, or a disc of it.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Worth {
-    /// By how much degrees are out of their ranges, in all.
+    /// By how much degrees are out of their ranges, in all, and how many triangles have no corner inside where they should.
     pub(crate) excess: u32,
     /// The shares of the local limits that are below 1, ascending.
     shares: Vec<f64>,
@@ -34,6 +34,7 @@ impl Worth {
             if !triangle.is_alive() {
                 continue;
             }
+            worth.excess += u32::from(weights.is_outside(mesh, t));
             let angle = min_angle(mesh.corners(t));
             let share = angle / weights.local_limit(mesh, t).min(enough);
             worth.angle = worth.angle.min(angle);

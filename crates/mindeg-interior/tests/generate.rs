@@ -283,6 +283,7 @@ fn bad_options_are_refused_with_what_to_do() {
         (Interior { sizes: place(9.0, 1.0), ..default() }, "size 0 at (9, 1) is not inside"),
         (Interior { interior_degree: Some(7..=9), ..default() }, "7 to 9"),
         (Interior { boundary_degree: Some(3), ..default() }, "boundary degree of 3"),
+        (Interior { boundary_corners: Some(1), ..default() }, "give 2 or 3"),
         (Interior { target_angle: Some(0.0), ..default() }, "target angle 0"),
         (Interior { target_angle: Some(46.0), ..default() }, "at most "),
         (
@@ -511,4 +512,31 @@ fn no_edge_at_a_place_is_longer_than_its_size() {
         worst.push((longest / size, found.report.violations.len(), found.triangles.len()));
     }
     assert!(worst.iter().all(|(share, ..)| *share <= 1.0), "{worst:.2?}");
+}
+
+#[test]
+fn each_triangle_has_a_corner_inside_where_that_is_wanted() {
+    let wanted = Interior { boundary_corners: Some(2), ..Interior::default() };
+    let options = Options::from(wanted);
+    let mut random = Random(5);
+    // A corner of 30 degrees, whose two triangles have 15; then polygons by chance.
+    let spike =
+        ring(&points(&[[0.0, 0.0], [8.0, 0.0], [8.0, 4.618_802_153_517_006]]), &[16, 9, 18]);
+    let by_chance = (0..8).map(|_| random_polygon(&mut random));
+    let mut corners_alone = 0;
+    for (index, outline) in std::iter::once(spike).chain(by_chance).enumerate() {
+        let on_boundary = outline.len() as u32;
+        let all_at_boundary = |triangle: &&[u32; 3]| triangle.iter().all(|v| *v < on_boundary);
+        let usual = mesh(&[outline.clone()], &Fixed::default(), &Options::default());
+        corners_alone += usual.triangles.iter().filter(all_at_boundary).count();
+        assert_eq!(usual.report.outside, 0, "nobody wants it");
+        let found = mesh(&[outline], &Fixed::default(), &options);
+        let outside = found.triangles.iter().filter(all_at_boundary).count();
+        assert_eq!((outside, found.report.outside), (0, 0), "{index}");
+        if index == 0 {
+            assert!((found.report.limits.angle() - 15.0).abs() < 0.1, "{:?}", found.report.limits);
+            assert!(found.report.share_of_limit > 0.98, "{}", found.report.share_of_limit);
+        }
+    }
+    assert!(corners_alone > 5, "{corners_alone}");
 }

@@ -240,7 +240,7 @@ fn reads_every_key_of_the_interior() {
         r#"{"growth": 0.3, "size_inside": 2, "min_size": 0.01, "max_size": 3, "across": 3, "sizes": [[1, 1, 0.1], [3, 2, 0.2],
             {"from": ["wall", "side 1"], "size": 0.1, "growth": 0, "until": 2}, {"size": 1, "from": ["a"]},
             {"points": [[0, 0, 1], [1, 0, 2], [0, 1, 3]], "triangles": [[0, 1, 2]]}],
-            "interior_degree": [4, 8], "boundary_degree": 6, "target_angle": 25,
+            "interior_degree": [4, 8], "boundary_degree": 6, "boundary_corners": 2, "target_angle": 25,
             "prefer": "angle"}"#,
     );
     let size_at = |x, y, size| SizeAt { at: DVec2::new(x, y), size };
@@ -271,6 +271,7 @@ fn reads_every_key_of_the_interior() {
         ],
         interior_degree: Some(4..=8),
         boundary_degree: Some(6),
+        boundary_corners: Some(2),
         target_angle: Some(25.0),
         prefer: Some(Prefer::Angle),
         max_points: None,
@@ -285,7 +286,7 @@ fn refuses_what_the_interior_cannot_be_with_the_place() {
     for (interior, message) in [
         (
             "true",
-            "interior: found true, expected an object with \"growth\", \"size_inside\", \"min_size\", \"max_size\", \"across\", \"sizes\", \"interior_degree\", \"boundary_degree\", \"target_angle\", \"prefer\", \"max_points\"",
+            "interior: found true, expected an object with \"growth\", \"size_inside\", \"min_size\", \"max_size\", \"across\", \"sizes\", \"interior_degree\", \"boundary_degree\", \"boundary_corners\", \"target_angle\", \"prefer\", \"max_points\"",
         ),
         (
             r#"{"growth": 0}"#,
@@ -345,7 +346,7 @@ fn refuses_what_the_interior_cannot_be_with_the_place() {
         ),
         (
             r#"{"grow": 1}"#,
-            "interior.grow: unknown key \"grow\"; allowed: \"growth\", \"size_inside\", \"min_size\", \"max_size\", \"across\", \"sizes\", \"interior_degree\", \"boundary_degree\", \"target_angle\", \"prefer\", \"max_points\"",
+            "interior.grow: unknown key \"grow\"; allowed: \"growth\", \"size_inside\", \"min_size\", \"max_size\", \"across\", \"sizes\", \"interior_degree\", \"boundary_degree\", \"boundary_corners\", \"target_angle\", \"prefer\", \"max_points\"",
         ),
     ] {
         let error = with_interior(interior).unwrap_err();

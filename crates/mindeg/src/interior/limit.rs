@@ -4,7 +4,7 @@ use std::fmt;
 
 use mindeg_domain::{Domain, InRing, Interior};
 use mindeg_interior::InteriorError;
-use mindeg_interior::limits::{Limits, TentLimit, limits};
+use mindeg_interior::limits::{Limits, TentLimit};
 use mindeg_mesh::significant;
 
 use super::posed::Posed;
@@ -83,7 +83,7 @@ pub enum Cause {
 pub fn angle_limit(domain: &Domain, wanted: &Interior) -> Result<AngleLimit, InteriorError> {
     let posed = Posed::new(domain)?;
     let (boundary, options) = (posed.boundary(), posed.options(domain, wanted)?);
-    let found = limits(boundary, |vertex| options.degree_limit(boundary, vertex));
+    let found = options.limits(boundary, |_| 0);
     Ok(AngleLimit::new(domain, &posed, &found))
 }
 
