@@ -40,7 +40,7 @@ pub(crate) use fill::FillArguments;
 pub(crate) use improve::ImproveArguments;
 pub(crate) use inspect::InspectArguments;
 pub(crate) use loop_choice::LoopChoice;
-pub(crate) use mesh::MeshArguments;
+pub(crate) use mesh::{MeshArguments, ModelArguments};
 pub(crate) use ocean::DepthArguments;
 pub(crate) use remesh::RemeshArguments;
 pub(crate) use stitch::StitchArguments;

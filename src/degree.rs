@@ -2,30 +2,41 @@
 
 use crate::args::DegreeArguments;
 use crate::bar::Bar;
-use crate::domain::{Counted, Parts, counted};
+use crate::domain::{Counted, Parts, Subject, counted};
 use crate::failure::Failure;
 use crate::interrupt::{SESSION, clean_up_on_interrupt};
+use crate::mesh::model;
 use crate::provenance::mesh_command;
 use crate::standard_output::{print, print_json};
 use mindeg::beside::each;
-use mindeg::{Domain, Interior, MeshError, Progress};
+use mindeg::model::mesh_model;
+use mindeg::{Domain, Goal, Interior, MeshError, Model, Progress};
 use mindeg_answers::advice::Advice;
 use mindeg_answers::degree::{DegreeBeside, DegreeReport};
 use mindeg_answers::limit::Lifting;
-use mindeg_answers::names::part_name;
+use mindeg_answers::model::ModelAnswer;
+use mindeg_answers::names::{part_name, shown};
 use mindeg_answers::suggest::in_words;
 use mindeg_core::{Boundary, suggest};
-use mindeg_files::{Outputs, write_to};
+use mindeg_files::{Outputs, Wanted, write_to};
 use std::path::Path;
 
 /// On larger domains the limit of the angle is not worked out: it takes all points in memory.
 const MOST_VERTICES: u32 = 1_000_000;
 
 pub(crate) fn run(arguments: &DegreeArguments) -> Result<(), Failure> {
-    let (mut report, domain) = match counted(&arguments.counts)? {
+    let (file, options) = (arguments.counts.path(), &arguments.counts.options);
+    let (mut report, domain) = match counted(&arguments.counts, Wanted::Model)? {
         Counted::Counts(counts) => {
             let boundary = Boundary::new(&counts).map_err(Failure::input)?;
             (DegreeReport::of_counts(&boundary), None)
+        }
+        Counted::Subject(Subject::Model(found)) => {
+            return of_model(arguments, &model::divided(*found, file, options)?);
+        }
+        Counted::Subject(Subject::Mesh(mesh)) => {
+            let found = model::of_mesh(&mesh, file, options, &arguments.model)?;
+            return of_model(arguments, &found);
         }
         Counted::Subject(subject) => {
             let mut parts = subject.parts()?;
@@ -34,8 +45,9 @@ pub(crate) fn run(arguments: &DegreeArguments) -> Result<(), Failure> {
             }
             let domain = parts.domains.remove(0);
             let bar = Bar::new(arguments.json);
-            let found =
-                bar.work(|progress| DegreeReport::with_effort(&domain, arguments.effort, progress));
+            let found = bar.work(|progress| {
+                DegreeReport::with_effort(&domain, arguments.model.effort, progress)
+            });
             (found.map_err(Failure::input)?, Some(domain))
         }
     };
@@ -56,6 +68,28 @@ pub(crate) fn run(arguments: &DegreeArguments) -> Result<(), Failure> {
     print(&text)
 }
 
+/// The degree of a whole model, over all its faces.
+fn of_model(arguments: &DegreeArguments, found: &Model) -> Result<(), Failure> {
+    for (option, is_given) in [
+        ("--proof", arguments.proof.is_some()),
+        ("--boundary-degree", arguments.boundary_degree.is_some()),
+    ] {
+        if is_given {
+            return Err(Failure::Input(format!("{option} is for a domain, and this is a model")));
+        }
+    }
+    let (bar, effort) = (Bar::new(arguments.json), arguments.model.effort);
+    let meshed = bar.work(|progress| mesh_model(found, Goal::default(), effort, progress));
+    let meshed = meshed.map_err(|error| model::bad(arguments.counts.path(), &error))?;
+    drop(bar);
+    let answer = ModelAnswer::of(found, &meshed);
+    if arguments.json {
+        return print_json(&answer);
+    }
+    let name = shown(found.name().unwrap_or("model"));
+    print(&format!("{name}: {}\n", answer.words.trim_end()))
+}
+
 /// The degrees of several domains beside each other.
 fn beside(arguments: &DegreeArguments, parts: &Parts) -> Result<(), Failure> {
     if arguments.proof.is_some() {
@@ -67,7 +101,7 @@ fn beside(arguments: &DegreeArguments, parts: &Parts) -> Result<(), Failure> {
     let bar = Bar::new(arguments.json);
     let found = bar.work(|progress| {
         each(domains, "searching for degrees", progress, |domain, progress| {
-            let mut report = DegreeReport::with_effort(domain, arguments.effort, progress)?;
+            let mut report = DegreeReport::with_effort(domain, arguments.model.effort, progress)?;
             let lifting = lifting(domain, arguments.boundary_degree, 1);
             report.limit = lifting.as_ref().map(Lifting::answer);
             Ok::<_, MeshError>((report, lifting))

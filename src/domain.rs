@@ -141,7 +141,7 @@ pub(crate) enum Counted {
 }
 
 /// The interval counts as typed, or the domain that the arguments describe.
-pub(crate) fn counted(arguments: &CountsArguments) -> Result<Counted, Failure> {
+pub(crate) fn counted(arguments: &CountsArguments, wanted: Wanted) -> Result<Counted, Failure> {
     let CountsArguments { counts, options } = arguments;
     let subject = match counts {
         Some(Counts::Given(_)) if options.divides() => {
@@ -151,7 +151,7 @@ pub(crate) fn counted(arguments: &CountsArguments) -> Result<Counted, Failure> {
             ));
         }
         Some(Counts::Given(counts)) => return Ok(Counted::Counts(counts.clone())),
-        Some(Counts::Domain(path)) => in_file(path, options, Wanted::Domain, &Bar::new(true))?,
+        Some(Counts::Domain(path)) => in_file(path, options, wanted, &Bar::new(true))?,
         // The counts of sides that nothing else describes.
         None if options.are_counts() => {
             let counts = options.intervals.iter().flat_map(|counts| counts.0.iter().copied());

@@ -3,7 +3,7 @@
 mod beside;
 mod features;
 mod interior;
-mod model;
+pub(crate) mod model;
 mod ocean;
 
 use crate::args::MeshArguments;
@@ -49,8 +49,14 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
             let output = features::outputs_of_one(arguments, &polygons)?;
             mesh_of(&polygons.only()?, arguments, &output)
         }
-        Subject::Model(model) => model::run(&model::divided(*model, arguments)?, arguments),
-        Subject::Mesh(mesh) => model::run(&model::of_mesh(&mesh, arguments)?, arguments),
+        Subject::Model(model) => {
+            let (file, options) = (arguments.domain.file.as_deref(), &arguments.domain.options);
+            model::run(&model::divided(*model, file, options)?, arguments)
+        }
+        Subject::Mesh(mesh) => {
+            let (file, options) = (arguments.domain.file.as_deref(), &arguments.domain.options);
+            model::run(&model::of_mesh(&mesh, file, options, &arguments.model)?, arguments)
+        }
     }
 }
 

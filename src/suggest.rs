@@ -9,10 +9,11 @@ use crate::standard_output::{print, print_json};
 use mindeg_answers::limit::{LiftAnswer, Lifting};
 use mindeg_answers::suggest::SuggestAnswer;
 use mindeg_core::Boundary;
+use mindeg_files::Wanted;
 
 pub(crate) fn run(arguments: &SuggestArguments) -> Result<(), Failure> {
     let wanted = arguments.max_degree;
-    let (mut answer, lifting) = match counted(&arguments.counts)? {
+    let (mut answer, lifting) = match counted(&arguments.counts, Wanted::Domain)? {
         Counted::Counts(counts) => {
             let boundary = Boundary::new(&counts).map_err(Failure::input)?;
             (SuggestAnswer::of_counts(&boundary, wanted).map_err(Failure::input)?, None)

@@ -1,7 +1,7 @@
 //! Commands that interval counts alone can answer.
 
 use super::domain::DomainOptions;
-use super::mesh::factor;
+use super::mesh::ModelArguments;
 use super::values::{IntervalCounts, whole_number};
 use super::with_exit_codes;
 use clap::Args;
@@ -11,12 +11,13 @@ use std::str::FromStr;
 const DEGREE: &str = "\
 Examples:
   mindeg degree 12,9,4,4
-  mindeg degree assets/domains/wing-panel.json --json";
+  mindeg degree assets/domains/wing-panel.json --json
+  mindeg degree assets/models/bracket.obj --size 5";
 
 /// Tell the least possible maximum degree, and why it cannot be less
 ///
 /// The degree of a vertex is the number of edges at it, boundary edges included (its valence).
-/// Interval counts alone are those of a convex outline. For a domain, also the minimum angle that no mesh with interior points can exceed, and what decides
+/// Interval counts alone are those of a convex outline; the faces of a model are meshed together. For a domain, also the minimum angle that no mesh with interior points can exceed, and what decides
 /// it.
 #[derive(Debug, Args)]
 #[command(after_help = DEGREE, after_long_help = with_exit_codes(DEGREE))]
@@ -29,9 +30,8 @@ pub(crate) struct DegreeArguments {
     #[arg(long, value_name = "D", value_parser = whole_number, allow_hyphen_values = true, help_heading = "Answer")]
     pub(crate) boundary_degree: Option<u32>,
 
-    /// How long to search with holes, as a multiple of the default, which takes seconds
-    #[arg(long, value_name = "FACTOR", value_parser = factor, default_value = "1", allow_hyphen_values = true, help_heading = "Answer")]
-    pub(crate) effort: f64,
+    #[command(flatten)]
+    pub(crate) model: ModelArguments,
 
     /// Write the clauses that refute a smaller degree to a JSON file, which mindeg verify --proof repeats
     #[arg(long, value_name = "FILE", help_heading = "Answer")]
@@ -39,7 +39,8 @@ pub(crate) struct DegreeArguments {
 
     /// Print JSON: intervals, holes, vertices, triangles, interior_edges, least_max_degree (null if
     /// not known), at_least, reached, reached_by, certificate (sides counted from 1); for a domain limit, with
-    /// angle_limit, which interior points cannot exceed, and the change that lifts it
+    /// angle_limit, which interior points cannot exceed, and the change that lifts it; of a
+    /// model what mindeg mesh prints
     #[arg(long, help_heading = "Messages")]
     pub(crate) json: bool,
 }

@@ -117,7 +117,7 @@ pub(crate) struct ModelArguments {
     pub(crate) effort: f64,
 }
 
-pub(super) fn factor(text: &str) -> Result<f64, String> {
+fn factor(text: &str) -> Result<f64, String> {
     let factor = text.trim().parse().ok().filter(|factor| (0.0..=1e6).contains(factor));
     factor.ok_or_else(|| "give a factor from 0 to 1000000, such as 10".to_owned())
 }

@@ -2,7 +2,7 @@
 
 mod source;
 
-pub(super) use source::{divided, of_mesh};
+pub(crate) use source::{bad, divided, of_mesh};
 
 use crate::args::MeshArguments;
 use crate::demands::met_or_written_anyway;
@@ -24,7 +24,7 @@ pub(super) fn run(model: &Model, arguments: &MeshArguments) -> Result<(), Failur
     let (goal, effort) = (arguments.goal.goal(), arguments.model.effort);
     making.open()?;
     let meshed = making.work(|progress| mesh_model(model, goal, effort, progress));
-    let meshed = meshed.map_err(|error| source::bad(arguments, &error))?;
+    let meshed = meshed.map_err(|error| bad(arguments.domain.file.as_deref(), &error))?;
     let mesh = &meshed.mesh;
     let end = judged(arguments, mesh, meshed.min_angle)?;
     let made = making.write(mesh)?;
@@ -55,7 +55,7 @@ fn fill(model: &Model, arguments: &MeshArguments, mut making: Making) -> Result<
     making.open()?;
     let interior = arguments.interior.wanted.over(None);
     let filled = making.work(|progress| fill_model(model, &interior, progress));
-    let filled = filled.map_err(|error| source::bad(arguments, &error))?;
+    let filled = filled.map_err(|error| bad(arguments.domain.file.as_deref(), &error))?;
     let mesh = &filled.mesh;
     let end = judged(arguments, mesh, filled.min_angle)?;
     let made = making.write(mesh)?;

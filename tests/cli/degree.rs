@@ -137,3 +137,18 @@ fn hinted_commands_make_what_they_promise() {
         }
     }
 }
+
+#[test]
+fn the_degree_of_a_model_is_that_of_its_mesh() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("mesh.obj").display().to_string();
+    for file in [&["assets/models/bracket.obj", "--size", "5"][..], &["assets/models/cube.json"]] {
+        let told = mindeg([&["degree"], file, &["--json"]].concat()).json();
+        let meshed = mindeg([&["mesh"], file, &["-o", &out, "--json", "-q"]].concat()).json();
+        for key in ["max_degree", "least_max_degree", "at_least", "bounded_by", "vertices"] {
+            assert_eq!(told[key], meshed[key], "{file:?} {key}");
+        }
+    }
+    mindeg(["degree", "assets/models/bracket.obj"]).refuses(&["give --size"]);
+    mindeg(["degree", "assets/models/cube.json", "--proof", &out]).refuses(&["this is a model"]);
+}

@@ -1,30 +1,38 @@
 //! A model from its file: JSON, or a mesh whose polygons are the faces.
 
-use crate::args::{DomainOptions, MeshArguments};
+use crate::args::{DomainOptions, ModelArguments};
 use crate::failure::Failure;
 use mindeg::{FromMesh, Intervals, Model, Side, Spacing, TriMesh};
 use mindeg_files::{Format, Input};
 use std::path::Path;
 
-/// The error in the model in the file of the arguments.
-pub(super) fn bad(arguments: &MeshArguments, error: &dyn ToString) -> Failure {
-    let name =
-        arguments.domain.file.as_deref().map_or(String::new(), |path| Input::of(path).name());
+/// The error in the model in a file.
+pub(crate) fn bad(file: Option<&Path>, error: &dyn ToString) -> Failure {
+    let name = file.map_or(String::new(), |path| Input::of(path).name());
     Failure::Input(format!("{name}: {}", error.to_string()))
 }
 
 /// A model in JSON; options override its settings of its edges.
-pub(crate) fn divided(model: Model, arguments: &MeshArguments) -> Result<Model, Failure> {
-    match division(&arguments.domain.options)? {
-        Some(side) => model.divided(&side).map_err(|error| bad(arguments, &error)),
+pub(crate) fn divided(
+    model: Model,
+    file: Option<&Path>,
+    options: &DomainOptions,
+) -> Result<Model, Failure> {
+    match division(options)? {
+        Some(side) => model.divided(&side).map_err(|error| bad(file, &error)),
         None => Ok(model),
     }
 }
 
 /// The model whose faces are the polygons of a mesh.
-pub(crate) fn of_mesh(mesh: &TriMesh, arguments: &MeshArguments) -> Result<Model, Failure> {
-    let path = arguments.domain.file.as_deref().unwrap_or(Path::new("-"));
-    let Some(edges) = division(&arguments.domain.options)? else {
+pub(crate) fn of_mesh(
+    mesh: &TriMesh,
+    file: Option<&Path>,
+    options: &DomainOptions,
+    of_model: &ModelArguments,
+) -> Result<Model, Failure> {
+    let path = file.unwrap_or(Path::new("-"));
+    let Some(edges) = division(options)? else {
         return Err(Failure::input(
             "how many intervals? give --size S, or --intervals N for every edge",
         ));
@@ -32,10 +40,10 @@ pub(crate) fn of_mesh(mesh: &TriMesh, arguments: &MeshArguments) -> Result<Model
     let is_obj = Format::of_path(path) == Some(Format::Obj);
     let from_mesh = FromMesh {
         edges,
-        merge_coplanar: arguments.model.merge_coplanar || !is_obj,
-        planar_tolerance: arguments.model.planar_tolerance,
+        merge_coplanar: of_model.merge_coplanar || !is_obj,
+        planar_tolerance: of_model.planar_tolerance,
     };
-    let model = Model::of_mesh(mesh, &from_mesh).map_err(|error| bad(arguments, &error))?;
+    let model = Model::of_mesh(mesh, &from_mesh).map_err(|error| bad(file, &error))?;
     // An OBJ has names for groups alone.
     let stem = path.file_stem().and_then(|stem| stem.to_str());
     let is_plain = |stem: &&str| stem.chars().all(|c| c.is_alphanumeric() || "-_. ".contains(c));
