@@ -30,7 +30,12 @@ impl Ocean {
     }
 
     pub(super) fn words(&self) -> Option<String> {
-        self.depths.as_ref().map(DepthsAnswer::text)
+        let hint = || {
+            (!self.openings.is_empty()).then(|| {
+                "hint: the mesh has no depths, and a fort.14 has 0; --depth FILE takes those of a grid.".to_owned()
+            })
+        };
+        self.depths.as_ref().map(DepthsAnswer::text).or_else(hint)
     }
 }
 

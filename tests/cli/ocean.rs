@@ -684,6 +684,8 @@ fn a_stretch_of_open_water_and_the_land_of_a_box_are_one_boundary_each() {
     let grid = "ncols 2\nnrows 2\nxllcorner 19\nyllcorner 35\ncellsize 2\n50 50\n50 50\n";
     fs::write(&depths, grid).expect("a file");
     let common = ["mesh", &sea, "--project", "auto", "--interior", "--size", "15km", "-o", &out];
+    let run = mindeg([&common[..], &["--open", "south"]].concat());
+    assert!(run.errors.contains("the mesh has no depths"), "{}", run.errors);
     let run = mindeg([&common[..], &["--depth", &depths, "--time-step", "5"]].concat());
     assert!(run.errors.contains("a time step of 5.000 s has Courant numbers"), "{}", run.errors);
 }
