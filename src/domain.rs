@@ -236,7 +236,7 @@ pub(crate) fn opened(
         repair,
         parts_holes,
         separate,
-        snap,
+        snap: snap.map(|length| length.value),
         fill_rule,
         division,
     };
@@ -264,7 +264,9 @@ pub(crate) fn opened(
         }
         Content::Polygons(polygons) => {
             polygons.notes.iter().for_each(|note| say(&format!("{name}: {note}")));
-            Subject::Polygons(polygons)
+            let subject = Subject::Polygons(polygons);
+            subject.refuse_degrees([("--snap", snap)])?;
+            subject
         }
         Content::Mesh(mesh) => Subject::Mesh(mesh),
     })

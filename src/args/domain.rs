@@ -1,8 +1,6 @@
 //! The options that describe a domain.
 
-use super::values::{
-    Corners, IntervalCounts, Length, RectangleSize, angle, length, length_with_unit,
-};
+use super::values::{Corners, IntervalCounts, Length, RectangleSize, angle, length_with_unit};
 use crate::failure::Failure;
 use clap::parser::ValueSource;
 use clap::{ArgMatches, Args};
@@ -123,8 +121,8 @@ pub(crate) struct OutlineOptions {
     pub(crate) repair: bool,
 
     /// How near --repair makes points of regions one [default: as near as rounding parts them]
-    #[arg(long, value_name = "LENGTH", value_parser = length, requires = "repair", allow_hyphen_values = true)]
-    pub(crate) snap: Option<f64>,
+    #[arg(long, value_name = "LENGTH", value_parser = length_with_unit, requires = "repair", allow_hyphen_values = true)]
+    pub(crate) snap: Option<Length>,
 
     /// Whether rings that touch are repaired unasked
     #[arg(skip)]

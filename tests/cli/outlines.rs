@@ -390,9 +390,9 @@ fn mistakes_are_named_with_what_to_do() {
         call.extend(options);
         mindeg(&call).refuses(words);
     }
-    // mindeg mesh takes faces as a model.
+    // mesh and degree take faces as a model.
     let mesh = at("mesh.obj");
-    mindeg(["degree".as_ref(), mesh.as_os_str()]).refuses(&[
+    mindeg(["suggest".as_ref(), mesh.as_os_str()]).refuses(&[
         "mesh.obj: the file has faces, so it is a model or a mesh: mindeg mesh meshes its faces and tells their least degree",
     ]);
 }
@@ -543,7 +543,9 @@ fn a_repair_of_regions_keeps_their_borders_shared() {
     let mesh = ["mesh", &file, "--interior", "-o", &out];
     let way_out = "; --repair mends such places, and says what it changes";
     mindeg(mesh).refuses(&["a border of polygon 1 meets one of polygon 2 there", way_out]);
-    let run = mindeg([&mesh[..], &["--repair", "--snap", "0.001"]].concat());
+    let islands = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/outlines/islands.geojson");
+    mindeg(["domain", islands, "--repair", "--snap", "1m"]).refuses(&["--snap is in metres"]);
+    let run = mindeg([&mesh[..], &["--repair", "--snap", "0.001m"]].concat());
     assert_eq!(run.code, Some(0), "{}", run.errors);
     for words in ["with points nearer than 0.001 as one", "gave an area of 4,", "in 1 part:"] {
         assert!(run.errors.contains(words), "{words}: {}", run.errors);
