@@ -18,7 +18,8 @@ pub(crate) fn run(arguments: &ConditionArguments) -> Result<(), Failure> {
     clean_up_on_interrupt()?;
     let bar = Bar::new(arguments.quiet);
     // Rings that touch themselves are changed here, too.
-    let outline = OutlineOptions { mends: true, ..arguments.outline.clone() };
+    let mends = Some(arguments.change.room(arguments.size));
+    let outline = OutlineOptions { mends, ..arguments.outline.clone() };
     let subject = opened(&arguments.file, &outline, None, Wanted::Domain, &bar)?;
     let size = arguments.size;
     refuse_degrees(&subject, &arguments.change, size)?;

@@ -227,7 +227,7 @@ pub(crate) fn opened(
     let division = Division { corner_angle: options.corner_angle, size };
     let OutlineOptions { project, repair, separate, snap, fill_rule, .. } = *options;
     let selection = Selection { layer: options.layer.clone(), name_by: options.name_by.clone() };
-    let (repair, parts_holes) = (repair || options.mends, options.mends);
+    let (repair, parts_holes) = (repair || options.mends.is_some(), options.mends);
     let feature = options.feature.clone();
     let read = ReadOptions {
         feature,

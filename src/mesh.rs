@@ -79,7 +79,7 @@ fn opened(arguments: &MeshArguments) -> Result<Subject, Failure> {
     let mut domain = arguments.domain.clone();
     let size = domain.options.size.take();
     // Rings that touch themselves are changed, too.
-    domain.options.outline.mends = true;
+    domain.options.outline.mends = Some(arguments.change.room(size));
     let subject = subject(&domain, Wanted::Model, &bar)?;
     refuse_degrees(&subject, &arguments.change, size)?;
     match subject {

@@ -111,6 +111,13 @@ impl ChangeArguments {
         given.into_iter().find_map(|(option, is_given)| is_given.then_some(option))
     }
 
+    /// How far a hole that touches another ring may move away from it before anything else changes: it counts beside the distance
+    /// of all other changes, so it is a part of it.
+    pub(crate) fn room(&self, size: Option<Length>) -> f64 {
+        const SHARE: f64 = 0.25;
+        SHARE * self.demands(BoundaryDemands::default().angle, size, None, false).within
+    }
+
     /// The demands with an angle, a length of edges and a growth.
     pub(crate) fn demands(
         &self,

@@ -124,9 +124,9 @@ pub(crate) struct OutlineOptions {
     #[arg(long, value_name = "LENGTH", value_parser = length_with_unit, requires = "repair", allow_hyphen_values = true)]
     pub(crate) snap: Option<Length>,
 
-    /// Whether rings that touch are repaired unasked
+    /// Rings that touch are repaired unasked, and holes parted from them by this distance at most
     #[arg(skip)]
-    pub(crate) mends: bool,
+    pub(crate) mends: Option<f64>,
 
     /// Whether each polygon is wanted by itself
     #[arg(skip)]

@@ -32,7 +32,7 @@ use std::borrow::Cow;
 struct Summary<'a> {
     name: Option<&'a str>,
     intervals: Vec<u32>,
-    boundary_vertices: u32,
+    boundary_vertices: usize,
     vertices: usize,
     #[serde(flatten)]
     reached: InteriorAnswer,
@@ -173,6 +173,11 @@ fn boundary_hint(arguments: &MeshArguments, found: &InteriorMesh) -> Option<Stri
     })
 }
 
+/// How many vertices are on the boundary: those around holes that touch rings, too, which are lines of the domain.
+fn vertices_of_boundary(found: &InteriorMesh) -> usize {
+    found.mesh.positions().len() - found.report.interior_points
+}
+
 /// The text on the changes of a boundary, without a line break at its end.
 fn words_on(conditioned: Option<&ConditionAnswer>, name: &str) -> Option<String> {
     conditioned.map(|answer| answer.text(name).trim_end().to_owned())
@@ -208,7 +213,7 @@ pub(super) fn run(
     let summary = Summary {
         name: domain.name(),
         intervals: domain.rings().sides().collect(),
-        boundary_vertices: domain.rings().vertex_count(),
+        boundary_vertices: vertices_of_boundary(&found),
         vertices: mesh.positions().len(),
         reached: InteriorAnswer::from(&found),
         limit: lifting.answer(),
@@ -269,7 +274,7 @@ pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Res
     let summary = Summary {
         name,
         intervals: domains.iter().flat_map(|domain| domain.rings().sides()).collect(),
-        boundary_vertices: domains.iter().map(|domain| domain.rings().vertex_count()).sum(),
+        boundary_vertices: vertices_of_boundary(&found),
         vertices: mesh.positions().len(),
         reached: InteriorAnswer::from(&found),
         limit: lifting.answer(),

@@ -10,6 +10,7 @@ use crate::failure::Failure;
 use crate::making::{Made, Making};
 use mindeg::Model;
 use mindeg::model::{fill_model, mesh_model};
+use mindeg_answers::advice::Purpose;
 use mindeg_answers::model::ModelAnswer;
 use mindeg_answers::names::shown;
 use mindeg_mesh::TriMesh;
@@ -18,7 +19,7 @@ pub(super) fn run(model: &Model, arguments: &MeshArguments) -> Result<(), Failur
     let surface = &arguments.surface;
     let mut making = Making::new(surface, &surface.output, arguments.quiet, arguments.json)?;
     making.expect_materials(model.groups().iter().any(|group| group.material.is_some()))?;
-    if arguments.interior.interior {
+    if arguments.interior.interior || arguments.goal.purpose == Some(Purpose::Solver) {
         return fill(model, arguments, making);
     }
     let (goal, effort) = (arguments.goal.goal(), arguments.model.effort);

@@ -269,3 +269,17 @@ fn open_and_bad_models_say_what_is_wrong() {
         written("crossed.obj", "v 0 0 0\nv 4 0 0\nv 1 3 0\nv 4 3 0\nv 0 1 0\nf 1 2 3 4 5\n");
     mesh(&crossed, &files, &["--size", "1"]).refuses(&["face 0 crosses itself"]);
 }
+
+#[test]
+fn a_model_for_a_solver_gets_points_inside() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("mesh.obj").display().to_string();
+    let made = |option: &[&str]| {
+        let common =
+            ["mesh", "assets/models/bracket.obj", "--size", "5", "-o", &out, "--json", "-q"];
+        mindeg([&common[..], option].concat()).json()
+    };
+    let wanted = made(&["--for", "solver"]);
+    assert_eq!(wanted, made(&["--interior"]));
+    assert!(wanted["interior_points"].as_u64() > Some(0), "{wanted}");
+}

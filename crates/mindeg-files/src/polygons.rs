@@ -23,8 +23,8 @@ pub struct ReadOptions {
     pub project: Option<ProjectionChoice>,
     /// Whether rings that touch or cross themselves are parted.
     pub repair: bool,
-    /// Whether holes that touch other rings at a vertex are parted from them, for a change of the boundary.
-    pub parts_holes: bool,
+    /// How far vertices of holes that touch other rings move, to part them for a change of the boundary; not at all without it.
+    pub parts_holes: Option<f64>,
     /// Whether each polygon is wanted by itself. If not, they are repaired together, as regions of one map whose borders stay
     /// shared.
     pub separate: bool,
@@ -104,8 +104,8 @@ impl PolygonFile {
                  {dashes}repair cuts them there"
             ));
         }
-        if options.parts_holes {
-            outlines = outlines.with_parted_holes();
+        if let Some(within) = options.parts_holes {
+            outlines = outlines.with_parted_holes(within);
         }
         let Outlines { features, mut inside, periodic, kinds, mut notes, .. } = outlines;
         let rings = features.iter().flat_map(|feature| &feature.rings);

@@ -145,8 +145,10 @@ impl SizeField {
         self.sources.least_grown_by(self.sources.growth, x, longer.min(least)).max(grown)
     }
 
-    /// The size that a mean of lengths asks for: none on the boundary itself, where the growth bound decides.
+    /// The size that a mean of lengths asks for: none on the boundary itself, where the growth bound decides. Edges that are seen
+    /// from behind count less than nothing: where they outweigh all others, the mean says nothing.
     fn coarsened(&self, mean: Option<f64>) -> f64 {
+        let mean = mean.filter(|mean| *mean > 0.0);
         mean.map_or(f64::INFINITY, |mean| self.coarser * mean)
     }
 

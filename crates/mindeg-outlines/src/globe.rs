@@ -134,7 +134,10 @@ impl Outlines {
         let Some(projection) = choice.of(starts()).map_err(wrong)? else {
             return Ok((self, None));
         };
-        let sides = BoxSides::of(starts());
+        // Holes may reach past the box: a repair cuts them there.
+        let outer = self.features.iter().filter_map(|feature| feature.rings.first());
+        let on_outer = outer.flat_map(|ring| ring.pieces.iter().map(|piece| piece.start));
+        let sides = BoxSides::of(on_outer);
         let inside = sides.lattice().into_iter().filter(|at| sides.is_in(&self.features, *at));
         let scales = starts().chain(inside.map(|at| sides.degrees(at)));
         let scales = scales.map(|point| projection.scale(point)).filter(|scale| scale.is_finite());
@@ -340,6 +343,16 @@ mod tests {
         assert!(outlines.notes[0].contains("are 1.0000 to 1.1"), "{:?}", outlines.notes);
         let swapped = projected("[[[36, 120], [37, 120], [37, 121]]]", "auto").unwrap_err();
         assert!(swapped.contains("GeoJSON has the longitude first"), "{swapped}");
+    }
+
+    #[test]
+    fn an_island_past_the_box_leaves_its_sides_their_names() {
+        let sea = "[[20, 36], [22, 36], [22, 38], [20, 38]]";
+        let past = "[[21.9, 36.9], [22.3, 36.9], [22.3, 37.1], [21.9, 37.1]]";
+        let (outlines, _) = projected(&format!("[{sea}, {past}]"), "auto").unwrap();
+        let pieces = &outlines.features[0].rings[0].pieces;
+        let is_named = |name: &str| pieces.iter().any(|piece| piece.side.as_deref() == Some(name));
+        assert!(["south", "east", "north", "west"].into_iter().all(is_named));
     }
 
     #[test]

@@ -15,7 +15,7 @@ use super::outline::FillRule;
 use super::outline::{DrawnRing, Feature, Outlines, Shape, key};
 use super::overlay::crossings::meeting;
 use super::overlay::{Layer, Overlay, overlay};
-use super::text::counted;
+use super::text::{counted, shown};
 use crate::error::OutlineError;
 
 /// The share of the shorter neighbouring edge by which a vertex moves at most.
@@ -88,20 +88,25 @@ impl Outlines {
     }
 
     /// The same polygons without holes that touch other rings: where one does at a vertex, the vertex of the hole moves a
-    /// little into the hole, at most a quarter of its shorter edge there. For a change of the boundary, which such rings
-    /// would hold; meshes take them as they are. A note tells how many moved, and how far.
+    /// little into the hole: by a quarter of its shorter edge there, and by `within`, at most. For a change of the boundary, which
+    /// such rings would hold; meshes take them as they are. A note tells how many moved, how far, and where the farthest was.
     #[must_use]
-    pub fn with_parted_holes(mut self) -> Self {
-        let (mut moved, mut farthest) = (0, 0.0_f64);
+    pub fn with_parted_holes(mut self, within: f64) -> Self {
+        let mut moves = Vec::new();
         for feature in 0..self.features.len() {
-            let (count, far) = part_holes(&mut self.features, feature);
-            (moved, farthest) = (moved + count, farthest.max(far));
+            moves.extend(part_holes(&mut self.features, feature, within));
         }
-        if moved > 0 {
-            let vertices =
-                if moved == 1 { "1 vertex".to_owned() } else { format!("{moved} vertices") };
-            let farthest = significant(farthest, 3);
-            self.notes.push(format!("moved {vertices} of touching holes by {farthest} at most"));
+        let farthest = moves.iter().max_by(|a, b| a.0.total_cmp(&b.0));
+        if let Some((far, at)) = farthest {
+            let vertices = match moves.len() {
+                1 => "1 vertex".to_owned(),
+                count => format!("{count} vertices"),
+            };
+            self.notes.push(format!(
+                "moved {vertices} of touching holes by {} at most, at {}",
+                significant(*far, 3),
+                shown(*at)
+            ));
         }
         self
     }
@@ -153,9 +158,9 @@ fn note(whose: &str, before: &[Feature], done: &Overlay) -> Option<String> {
     (!said.is_empty()).then(|| format!("repaired {whose}: {}", said.join("; ")))
 }
 
-/// Moves the vertices of a polygon's holes that other rings of it have, too. Tells how many, and how far.
-fn part_holes(features: &mut [Feature], at: usize) -> (usize, f64) {
-    let (mut moves, mut farthest, mut looked_at) = (0, 0.0_f64, 0);
+/// Moves the vertices of a polygon's holes that other rings of it have, too. Tells how far each went, and from where.
+fn part_holes(features: &mut [Feature], at: usize, within: f64) -> Vec<(f64, DVec2)> {
+    let (mut moves, mut looked_at) = (Vec::new(), 0);
     let mut taken = BTreeSet::new();
     for ring in 0..features[at].rings.len() {
         for index in 0..features[at].rings[ring].pieces.len() {
@@ -167,15 +172,14 @@ fn part_holes(features: &mut [Feature], at: usize) -> (usize, f64) {
             let edges: Vec<[DVec2; 2]> = rings.flat_map(edges).collect();
             looked_at += edges.len();
             let ring = &mut features[at].rings[ring];
-            if let Some(moved) = moved_inside(ring, index, &edges) {
-                moves += 1;
-                farthest = farthest.max(norm(moved - point));
+            if let Some(moved) = moved_inside(ring, index, &edges, within) {
+                moves.push((norm(moved - point), point));
                 ring.pieces[index].start = moved;
             }
         }
         taken.extend(features[at].rings[ring].pieces.iter().map(|piece| key(piece.start)));
     }
-    (moves, farthest)
+    moves
 }
 
 /// The straight edges of a ring, and chords of its curves.
@@ -187,7 +191,12 @@ fn edges(ring: &DrawnRing) -> Vec<[DVec2; 2]> {
 
 /// A point a little inside the ring, beside one of its vertices, so that its pieces there meet no other
 /// edge; `None` if they are curved or nothing is free.
-fn moved_inside(ring: &DrawnRing, index: usize, edges: &[[DVec2; 2]]) -> Option<DVec2> {
+fn moved_inside(
+    ring: &DrawnRing,
+    index: usize,
+    edges: &[[DVec2; 2]],
+    within: f64,
+) -> Option<DVec2> {
     let count = ring.pieces.len();
     let [before, after] = [index + count - 1, index + 1].map(|at| &ring.pieces[at % count]);
     let here = &ring.pieces[index];
@@ -218,7 +227,7 @@ fn moved_inside(ring: &DrawnRing, index: usize, edges: &[[DVec2; 2]]) -> Option<
     let near: Vec<[DVec2; 2]> = (edges.iter().copied())
         .filter(|[a, b]| a.min(*b).cmple(high).all() && a.max(*b).cmpge(low).all())
         .collect();
-    let mut step = SHARE_MOVED * shorter;
+    let mut step = within.min(SHARE_MOVED * shorter);
     for _ in 0..30 {
         let moved = point + direction * step;
         let is_free = |end: DVec2| {
@@ -252,7 +261,7 @@ mod tests {
         rings: &[&[[f64; 2]]],
         rule: Option<FillRule>,
     ) -> (Vec<Vec<Points>>, Vec<String>) {
-        shown(outlines_of(rings).repaired(rule).unwrap())
+        shown_of(outlines_of(rings).repaired(rule).unwrap())
     }
 
     fn outlines_of(rings: &[&[[f64; 2]]]) -> Outlines {
@@ -265,7 +274,7 @@ mod tests {
         outlines
     }
 
-    fn shown(outlines: Outlines) -> (Vec<Vec<Points>>, Vec<String>) {
+    fn shown_of(outlines: Outlines) -> (Vec<Vec<Points>>, Vec<String>) {
         let points =
             |ring: &DrawnRing| ring.pieces.iter().map(|piece| piece.start.to_array()).collect();
         let rings = |feature: &Feature| feature.rings.iter().map(points).collect();
@@ -384,15 +393,17 @@ mod tests {
         assert_eq!(outlines.notes, Vec::<String>::new());
         let outer = vec![[0.0, 0.0], [2.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]];
         let touching = vec![[2.0, 0.0], [1.0, 2.0], [3.0, 2.0]];
-        assert_eq!(shown(outlines.clone()).0, [[outer.clone(), touching]]);
-        let (features, notes) = shown(outlines.with_parted_holes());
+        assert_eq!(shown_of(outlines.clone()).0, [[outer.clone(), touching]]);
+        let (features, notes) = shown_of(outlines.with_parted_holes(f64::INFINITY));
         let [rings] = &features[..] else { panic!("{features:?}") };
         let [outside, hole] = &rings[..] else { panic!("{rings:?}") };
+        let near = outlines_of(&[ring]).repaired(None).unwrap().with_parted_holes(0.125);
+        assert_eq!(shown_of(near).0[0][1][0], [2.0, 0.125]);
         assert_eq!(*outside, outer);
         assert_eq!(hole[1..], [[1.0, 2.0], [3.0, 2.0]]);
         assert_eq!(hole[0][0], 2.0);
         assert!(hole[0][1] > 0.5 && hole[0][1] < 0.6, "{hole:?}");
-        assert_eq!(notes, ["moved 1 vertex of touching holes by 0.559 at most"]);
+        assert_eq!(notes, ["moved 1 vertex of touching holes by 0.559 at most, at (2.0, 0.0)"]);
     }
 
     #[test]
@@ -430,7 +441,7 @@ mod tests {
         let outer: &[[f64; 2]] = &[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [2.0, 2.0], [0.0, 4.0]];
         let hole: &[[f64; 2]] = &[[1.0, 2.5], [1.5, 0.5], [2.5, 0.5], [3.0, 2.5], [2.0, 2.0]];
         let outlines = outlines_of(&[outer, hole]).repaired(None).unwrap();
-        let (features, _) = shown(outlines.with_parted_holes());
+        let (features, _) = shown_of(outlines.with_parted_holes(f64::INFINITY));
         let moved = features[0][1][4];
         assert!(moved[0] == 2.0 && moved[1] < 2.0 && moved[1] > 1.5, "{moved:?}");
     }
@@ -439,7 +450,8 @@ mod tests {
     fn a_vertex_moves_along_the_middle_of_its_angle() {
         let ring =
             |points: &[[f64; 2]]| DrawnRing::of_points(points.iter().copied().map(DVec2::from));
-        let beside = |ring: &DrawnRing, index: usize| moved_inside(ring, index, &edges(ring));
+        let beside =
+            |ring: &DrawnRing, index: usize| moved_inside(ring, index, &edges(ring), f64::INFINITY);
         // A square, a straight vertex, a reflex one: the vertex 1, and where it goes.
         let half = 0.5_f64.sqrt();
         for (points, shorter, direction) in [

@@ -79,7 +79,7 @@ impl Given {
             separate: false,
             snap,
             fill_rule,
-            parts_holes: false,
+            parts_holes: None,
             division: Division { corner_angle, size },
         })
     }
