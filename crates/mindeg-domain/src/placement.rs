@@ -8,7 +8,7 @@
 //! that rounding inverts it; meshing refuses to return such a triangle.
 
 use glam::{DVec2, DVec3};
-use mindeg_mesh::planar::{InRing, PlanarBoundary, ring_area};
+use mindeg_mesh::planar::{InRing, PlanarBoundary, doubled_area};
 use mindeg_mesh::significant;
 use mindeg_mesh::{Bounds, Positions};
 
@@ -309,7 +309,7 @@ impl Placement {
     /// are stored.
     pub fn area(&self) -> f64 {
         match &self.points {
-            Points::Formula(_) => ring_area(&self.corners),
+            Points::Formula(_) => doubled_area(&self.corners) / 2.0,
             Points::Stored { boundary, .. } => boundary.area(),
         }
     }

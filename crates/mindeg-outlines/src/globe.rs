@@ -138,8 +138,7 @@ impl Outlines {
         let outer = self.features.iter().filter_map(|feature| feature.rings.first());
         let on_outer = outer.flat_map(|ring| ring.pieces.iter().map(|piece| piece.start));
         let sides = BoxSides::of(on_outer);
-        let inside = sides.lattice().into_iter().filter(|at| sides.is_in(&self.features, *at));
-        let scales = starts().chain(inside.map(|at| sides.degrees(at)));
+        let scales = starts().chain(sides.inside(&self.features));
         let scales = scales.map(|point| projection.scale(point)).filter(|scale| scale.is_finite());
         let [least, most] = scales.fold([f64::INFINITY, 0.0], |[least, most], it| {
             [f64::min(least, it), f64::max(most, it)]

@@ -53,16 +53,19 @@ impl Polygon {
     /// The errors of [`maps`].
     pub fn map(&self, inside: &DrawnInside, division: &Division) -> Result<Domain, OutlineError> {
         let (found, _) = maps(std::slice::from_ref(self), inside, division, true)?;
-        match &found[..] {
-            [map] if !self.label.is_empty() => Ok(map.clone().named(&*self.label)?),
-            [map] => Ok(map.clone()),
+        match <[Domain; 1]>::try_from(found) {
+            Ok([map]) if !self.label.is_empty() => Ok(map.named(&*self.label)?),
+            Ok([map]) => Ok(map),
             // Touching rings part it into several, or leave nothing.
-            _ => self.feature.domain(division),
+            Err(_) => self.feature.domain(division),
         }
     }
 
     /// Whether a ring has a vertex of another.
     fn has_touching_holes(&self) -> bool {
+        if self.feature.rings.len() < 2 {
+            return false;
+        }
         let mut rings = BTreeMap::new();
         let drawn_rings = self.feature.rings.iter().enumerate();
         let mut pieces =

@@ -9,9 +9,9 @@
 
 use glam::DVec2;
 use mindeg_mesh::Bounds;
-use mindeg_mesh::planar::orientation;
+use mindeg_mesh::planar::{doubled_area, orientation};
 
-use super::outline::{DrawnRing, Feature, FillRule, Outlines, Shape, doubled_area};
+use super::outline::{DrawnRing, Feature, FillRule, Outlines, Shape};
 use crate::error::OutlineError;
 
 /// The most comparisons of a point with an edge, which take some seconds: 90,000 squares beside each

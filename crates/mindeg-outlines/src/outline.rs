@@ -7,7 +7,7 @@ use std::sync::Arc as Shared;
 use glam::DVec2;
 use mindeg_domain::InnerPoint;
 use mindeg_mesh::LineKind;
-use mindeg_mesh::planar::orientation;
+use mindeg_mesh::planar::{doubled_area, orientation};
 
 use super::curve::{PieceCurve, Segment};
 use super::periodic::PeriodicCurve;
@@ -235,11 +235,4 @@ impl DrawnRing {
 pub(super) fn key(point: DVec2) -> (u64, u64) {
     // Adding 0 turns -0 into 0, whose bits differ.
     ((point.x + 0.0).to_bits(), (point.y + 0.0).to_bits())
-}
-
-/// Twice the area of a closed ring of points, positive if it runs counter-clockwise.
-pub(super) fn doubled_area(points: &[DVec2]) -> f64 {
-    let Some(&origin) = points.first() else { return 0.0 };
-    let next = points.iter().cycle().skip(1);
-    points.iter().zip(next).map(|(&a, &b)| (a - origin).perp_dot(b - origin)).sum()
 }

@@ -21,7 +21,7 @@ use crate::error::OutlineError;
 /// The share of the shorter neighbouring edge by which a vertex moves at most.
 const SHARE_MOVED: f64 = 0.25;
 
-/// The most points to examine in order to move vertices of one shape.
+/// The most edges to examine in order to move vertices of all polygons.
 const MOST_LOOKED_AT: usize = 100_000_000;
 
 impl Outlines {
@@ -92,10 +92,7 @@ impl Outlines {
     /// such rings would hold; meshes take them as they are. A note tells how many moved, how far, and where the farthest was.
     #[must_use]
     pub fn with_parted_holes(mut self, within: f64) -> Self {
-        let mut moves = Vec::new();
-        for feature in 0..self.features.len() {
-            moves.extend(part_holes(&mut self.features, feature, within));
-        }
+        let moves = part_holes(&mut self.features, within);
         let farthest = moves.iter().max_by(|a, b| a.0.total_cmp(&b.0));
         if let Some((far, at)) = farthest {
             let vertices = match moves.len() {
@@ -158,26 +155,29 @@ fn note(whose: &str, before: &[Feature], done: &Overlay) -> Option<String> {
     (!said.is_empty()).then(|| format!("repaired {whose}: {}", said.join("; ")))
 }
 
-/// Moves the vertices of a polygon's holes that other rings of it have, too. Tells how far each went, and from where.
-fn part_holes(features: &mut [Feature], at: usize, within: f64) -> Vec<(f64, DVec2)> {
+/// Moves the vertices of holes that other rings of their polygon have, too. Tells how far each went, and from where.
+fn part_holes(features: &mut [Feature], within: f64) -> Vec<(f64, DVec2)> {
     let (mut moves, mut looked_at) = (Vec::new(), 0);
-    let mut taken = BTreeSet::new();
-    for ring in 0..features[at].rings.len() {
-        for index in 0..features[at].rings[ring].pieces.len() {
-            let point = features[at].rings[ring].pieces[index].start;
-            if !taken.contains(&key(point)) || looked_at > MOST_LOOKED_AT {
-                continue;
+    for polygon in 0..features.len() {
+        let mut taken = BTreeSet::new();
+        for ring in 0..features[polygon].rings.len() {
+            for index in 0..features[polygon].rings[ring].pieces.len() {
+                let point = features[polygon].rings[ring].pieces[index].start;
+                if !taken.contains(&key(point)) || looked_at > MOST_LOOKED_AT {
+                    continue;
+                }
+                let rings = features.iter().flat_map(|feature| &feature.rings);
+                let edges: Vec<[DVec2; 2]> = rings.flat_map(edges).collect();
+                looked_at += edges.len();
+                let ring = &mut features[polygon].rings[ring];
+                if let Some(moved) = moved_inside(ring, index, &edges, within) {
+                    moves.push((norm(moved - point), point));
+                    ring.pieces[index].start = moved;
+                }
             }
-            let rings = features.iter().flat_map(|feature| &feature.rings);
-            let edges: Vec<[DVec2; 2]> = rings.flat_map(edges).collect();
-            looked_at += edges.len();
-            let ring = &mut features[at].rings[ring];
-            if let Some(moved) = moved_inside(ring, index, &edges, within) {
-                moves.push((norm(moved - point), point));
-                ring.pieces[index].start = moved;
-            }
+            let drawn = &features[polygon].rings[ring];
+            taken.extend(drawn.pieces.iter().map(|piece| key(piece.start)));
         }
-        taken.extend(features[at].rings[ring].pieces.iter().map(|piece| key(piece.start)));
     }
     moves
 }
@@ -310,7 +310,7 @@ mod tests {
                 assert_eq!((features.len(), features[0].len()), (1, 1 + count), "{other:?}");
                 let found = features[0].iter().map(|ring| {
                     let points: Vec<DVec2> = ring.iter().copied().map(DVec2::from).collect();
-                    crate::outline::doubled_area(&points).abs() / 2.0
+                    mindeg_mesh::planar::doubled_area(&points).abs() / 2.0
                 });
                 let areas: Vec<f64> = found.collect();
                 let left = areas[0] - areas[1..].iter().sum::<f64>();

@@ -8,7 +8,7 @@ use mindeg::exact::{DegreeAnswer, degree_of_boundary};
 use mindeg::glam::{DVec2, DVec3};
 use mindeg::inspection::{Inspection, InspectionOptions};
 use mindeg_mesh::TriMesh;
-use mindeg_mesh::planar::PlanarBoundary;
+use mindeg_mesh::planar::{PlanarBoundary, doubled_area};
 use serde::Serialize;
 use std::ops::Range;
 
@@ -106,15 +106,10 @@ fn rings(mesh: &TriMesh, options: &InspectionOptions) -> Option<(Vec<DVec2>, Vec
             one.vertices.iter().map(|&vertex| positions[vertex as usize].truncate()).collect()
         })
         .collect();
-    let area = |line: &Vec<DVec2>| {
-        let origin = line[0];
-        let pairs = line.windows(2).map(|pair| (pair[0] - origin).perp_dot(pair[1] - origin));
-        pairs.sum::<f64>()
-    };
-    let outer = (0..lines.len())
-        .max_by(|&a, &b| area(&lines[a]).abs().total_cmp(&area(&lines[b]).abs()))?;
+    let area = |line: usize| doubled_area(&lines[line]);
+    let outer = (0..lines.len()).max_by(|&a, &b| area(a).abs().total_cmp(&area(b).abs()))?;
     // Seen from below, a mesh is its mirror image.
-    let mirror = DVec2::new(area(&lines[outer]).signum(), 1.0);
+    let mirror = DVec2::new(area(outer).signum(), 1.0);
     let mut points = Vec::new();
     let mut rings = Vec::new();
     let others = (0..lines.len()).filter(|&line| line != outer);

@@ -234,9 +234,8 @@ impl PlanarBoundary {
 
     /// The area inside the rings, in square units: that of the outer ones without the holes. O(n).
     pub fn area(&self) -> f64 {
-        self.rings()
-            .map(|ring| ring_area(&self.points[ring.start as usize..ring.end as usize]))
-            .sum()
+        let points = |ring: Range<u32>| &self.points[ring.start as usize..ring.end as usize];
+        self.rings().map(|ring| doubled_area(points(ring)) / 2.0).sum()
     }
 
     /// The box around all points. O(n).
@@ -246,9 +245,9 @@ impl PlanarBoundary {
     }
 }
 
-/// The area of a ring of points, in square units; negative if it runs clockwise. O(n).
-pub fn ring_area(points: &[DVec2]) -> f64 {
+/// Twice the area of a ring of points, in square units; negative if it runs clockwise. O(n).
+pub fn doubled_area(points: &[DVec2]) -> f64 {
     // Relative to a point, so that nothing cancels far from the origin.
     let doubled = |pair: &[DVec2]| (pair[0] - points[0]).perp_dot(pair[1] - points[0]);
-    points.windows(2).map(doubled).sum::<f64>() / 2.0
+    points.windows(2).map(doubled).sum()
 }

@@ -17,7 +17,7 @@ mod turning;
 use glam::DVec2;
 
 pub use border::Border;
-pub use boundary::{PlanarBoundary, ring_area};
+pub use boundary::{PlanarBoundary, doubled_area};
 pub use faults::{BoundaryFault, BoundaryFaults, MOST_FAULTS};
 pub use in_ring::{BoundaryPlace, InRing, ring_name};
 pub use map::Faces;

@@ -2,6 +2,7 @@
 
 use glam::DVec2;
 
+use crate::nesting::contains;
 use crate::outline::{DrawnRing, Feature};
 
 /// The scale is looked at in so many places across the box, where they lie inside.
@@ -42,30 +43,24 @@ impl BoxSides {
         DVec2::new(turned(point.x - self.origin), point.y)
     }
 
-    pub(super) fn degrees(&self, place: DVec2) -> DVec2 {
-        DVec2::new(turned(place.x + self.origin), place.y)
-    }
-
-    /// Places all over the box.
-    pub(super) fn lattice(&self) -> Vec<DVec2> {
+    /// Places all over the box that lie in a polygon, in degrees.
+    pub(super) fn inside(&self, features: &[Feature]) -> Vec<DVec2> {
         let share = |index: u32| (f64::from(index) + 0.5) / f64::from(LATTICE);
         let at = |x, y| self.least + (self.most - self.least) * DVec2::new(share(x), share(y));
-        (0..LATTICE).flat_map(|y| (0..LATTICE).map(move |x| at(x, y))).collect()
-    }
-
-    /// Whether a place lies in a polygon: an even number of edges east of it is none.
-    pub(super) fn is_in(&self, features: &[Feature], at: DVec2) -> bool {
-        let is_east = |[a, b]: [DVec2; 2]| {
-            (a.y > at.y) != (b.y > at.y) && at.x < a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x)
+        let places = (0..LATTICE).flat_map(|y| (0..LATTICE).map(move |x| at(x, y)));
+        let ring = |drawn: &DrawnRing| -> Vec<DVec2> {
+            drawn.pieces.iter().map(|piece| self.place(piece.start)).collect()
         };
-        let crossed = |ring: &DrawnRing| {
-            let places: Vec<DVec2> =
-                ring.pieces.iter().map(|piece| self.place(piece.start)).collect();
-            let next = places.iter().cycle().skip(1);
-            places.iter().zip(next).filter(|(a, b)| is_east([**a, **b])).count()
+        let polygons: Vec<Vec<Vec<DVec2>>> =
+            features.iter().map(|feature| feature.rings.iter().map(ring).collect()).collect();
+        let is_in = |place: &DVec2| {
+            let around = |rings: &Vec<Vec<DVec2>>| {
+                rings.iter().filter(|ring| contains(ring, std::slice::from_ref(place))).count()
+            };
+            polygons.iter().any(|rings| around(rings) % 2 == 1)
         };
-        let is_odd = |feature: &Feature| feature.rings.iter().map(crossed).sum::<usize>() % 2 == 1;
-        features.iter().any(is_odd)
+        let degrees = |place: DVec2| DVec2::new(turned(place.x + self.origin), place.y);
+        places.filter(is_in).map(degrees).collect()
     }
 
     /// The name of the side on which both ends of an edge lie.

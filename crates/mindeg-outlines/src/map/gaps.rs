@@ -1,12 +1,12 @@
 //! Gaps between regions that are far longer than wide, as where a border was drawn twice.
 
 use glam::DVec2;
+use mindeg_mesh::planar::doubled_area;
 use mindeg_mesh::significant;
 
 use super::plane::Plane;
 use crate::curve::norm;
 use crate::error::OutlineError;
-use crate::outline::doubled_area;
 use crate::overlay::crossings::MOST_COMPARISONS;
 use crate::overlay::edge::Step;
 use crate::text::shown;

@@ -3,6 +3,7 @@
 //! Vertices that are nearer to each other than a tolerance become the first of them, and an edge that passes a vertex so
 //! near goes through it. A place that several polygons cover becomes that of the first.
 
+use mindeg_mesh::planar::doubled_area;
 use mindeg_mesh::significant;
 use std::collections::BTreeMap;
 
@@ -11,7 +12,7 @@ use glam::DVec2;
 use crate::curve::norm;
 use crate::error::OutlineError;
 use crate::nesting::{Loop, smallest_around};
-use crate::outline::{Feature, FillRule, Outlines, doubled_area};
+use crate::outline::{Feature, FillRule, Outlines};
 use crate::overlay::crossings::{Meetings, parted, with_vertices};
 use crate::overlay::edge::{Edge, Layer, points_of};
 use crate::overlay::faces::{Graph, links};

@@ -6,10 +6,15 @@ use super::*;
 use crate::curve::{PieceCurve, Segment};
 use crate::{OutlineFormat, labelled, read};
 
+/// The polygons of a text in WKT.
+fn polygons(wkt: &str) -> Vec<Polygon> {
+    let alone = |_: &str| Err(std::io::ErrorKind::NotFound.into());
+    labelled(read(wkt.as_bytes(), OutlineFormat::Wkt, alone).unwrap().features)
+}
+
 /// The maps of polygons in WKT.
 fn of_wkt(wkt: &str, size: Option<f64>) -> Result<Vec<Domain>, String> {
-    let alone = |_: &str| Err(std::io::ErrorKind::NotFound.into());
-    let polygons = labelled(read(wkt.as_bytes(), OutlineFormat::Wkt, alone).unwrap().features);
+    let polygons = polygons(wkt);
     let division = Division { size, ..Division::default() };
     maps(&polygons, &DrawnInside::default(), &division, false)
         .map(|found| found.0)
@@ -321,10 +326,8 @@ proptest! {
 #[test]
 fn holes_that_touch_are_regions_without_triangles() {
     // A hole at a corner of the outline, one that touches it, and one apart.
-    let wkt = b"POLYGON((0 0,8 0,8 8,0 8),(0 0,2 1,1 2),(2 1,3 2,3 1),(5 5,6 5,6 6))";
-    let alone = |_: &str| Err(std::io::ErrorKind::NotFound.into());
-    let outlines = read(wkt, OutlineFormat::Wkt, alone).unwrap();
-    let [polygon] = &labelled(outlines.features)[..] else { panic!("one polygon") };
+    let wkt = "POLYGON((0 0,8 0,8 8,0 8),(0 0,2 1,1 2),(2 1,3 2,3 1),(5 5,6 5,6 6))";
+    let [polygon] = &polygons(wkt)[..] else { panic!("one polygon") };
     let domain = polygon.domain(&Division::default()).unwrap();
     assert_eq!(domain.area(), 64.0 - 1.5 - 0.5 - 0.5);
     assert_eq!((domain.rings().ring_count(), domain.inside().lines.len()), (3, 1));
@@ -334,10 +337,7 @@ fn holes_that_touch_are_regions_without_triangles() {
 #[test]
 fn rings_that_touch_and_part_a_polygon_are_named() {
     // The hole touches the outline twice.
-    let wkt = b"POLYGON((0 0,8 0,8 8,0 8),(0 0,4 3,8 8,3 4))";
-    let alone = |_: &str| Err(std::io::ErrorKind::NotFound.into());
-    let outlines = read(wkt, OutlineFormat::Wkt, alone).unwrap();
-    let found = labelled(outlines.features)[0].domain(&Division::default());
-    let error = found.unwrap_err();
+    let wkt = "POLYGON((0 0,8 0,8 8,0 8),(0 0,4 3,8 8,3 4))";
+    let error = polygons(wkt)[0].domain(&Division::default()).unwrap_err();
     assert!(error.is_touch, "{error}");
 }

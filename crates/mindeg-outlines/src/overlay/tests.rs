@@ -1,8 +1,9 @@
 use i_overlay::core::fill_rule::FillRule as OtherRule;
 use i_overlay::float::simplify::SimplifyShape;
+use mindeg_mesh::planar::doubled_area;
 
 use super::super::choice::labelled;
-use super::super::outline::{FillRule, Outlines, doubled_area};
+use super::super::outline::{FillRule, Outlines};
 use super::super::sides::Division;
 use super::crossings::parted;
 use super::*;
