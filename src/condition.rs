@@ -25,11 +25,10 @@ pub(crate) fn run(arguments: &ConditionArguments) -> Result<(), Failure> {
     refuse_degrees(&subject, &arguments.change, size)?;
     let Parts { name: of_all, domains } = subject.parts()?;
     let (domains, _) = arguments.kinds.told(&domains)?;
-    let has_corners_inside = arguments
-        .preset
-        .is_some_and(|preset| preset.asked_of(Interior::default()).has_corners_inside());
-    let demands =
-        arguments.change.demands(arguments.limit, size, arguments.growth, has_corners_inside);
+    let preset = arguments.preset;
+    let wanted = preset.map(|preset| preset.asked_of(Interior::default())).unwrap_or_default();
+    let least = wanted.least_triangles();
+    let demands = arguments.change.demands(arguments.limit, size, arguments.growth, least);
     let found = bar.waiting("conditioning the boundary", || {
         condition_all(&domains, &demands, &arguments.change.keep)
     });

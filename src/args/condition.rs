@@ -115,29 +115,33 @@ impl ChangeArguments {
     /// of all other changes, so it is a part of it.
     pub(crate) fn room(&self, size: Option<Length>) -> f64 {
         const SHARE: f64 = 0.25;
-        SHARE * self.demands(BoundaryDemands::default().angle, size, None, false).within
+        SHARE * self.within.map_or(base(size).within, |it| it.value)
     }
 
-    /// The demands with an angle, a length of edges and a growth.
+    /// The demands with an angle, a length of edges, a growth, and the least number of triangles at a vertex.
     pub(crate) fn demands(
         &self,
         angle: f64,
         size: Option<Length>,
         growth: Option<f64>,
-        corners_inside: bool,
+        least_triangles: u32,
     ) -> BoundaryDemands {
-        let base =
-            size.map_or_else(BoundaryDemands::default, |it| BoundaryDemands::of_size(it.value));
+        let base = base(size);
         BoundaryDemands {
             angle,
             within: self.within.map_or(base.within, |it| it.value),
             growth: growth.unwrap_or(base.growth),
-            least_triangles: if corners_inside { 2 } else { 1 },
+            least_triangles,
             narrowest: self.narrowest.map_or(0.0, |it| it.value),
             least_hole: self.least_island.map_or(0.0, |it| it.value),
             ..base
         }
     }
+}
+
+/// The demands with a length of edges, if there is one.
+fn base(size: Option<Length>) -> BoundaryDemands {
+    size.map_or_else(BoundaryDemands::default, |it| BoundaryDemands::of_size(it.value))
 }
 
 /// An angle that a boundary can be asked for.

@@ -121,8 +121,8 @@ fn prepared<'d>(
         return Ok(Prepared { domains, conditioned: None, openings });
     };
     let change = &arguments.change;
-    let corners_inside = wanted.has_corners_inside();
-    let demands = change.demands(angle, arguments.domain.options.size, None, corners_inside);
+    let (size, least) = (arguments.domain.options.size, wanted.least_triangles());
+    let demands = change.demands(angle, size, None, least);
     let (new, conditioned) = interior::condition_all(domains, &demands, &change.keep)
         .map_err(|(_, error)| Failure::input(error))?;
     let answer = ConditionAnswer::of(domains, &new, &conditioned);

@@ -101,6 +101,11 @@ impl Interior {
         self.boundary_corners == Some(2)
     }
 
+    /// The least number of triangles at a boundary vertex: all corners of a single one are at the boundary.
+    pub fn least_triangles(&self) -> u32 {
+        if self.has_corners_inside() { 2 } else { 1 }
+    }
+
     /// Which aim wins: degrees, unless it is given.
     pub fn prefer(&self) -> Prefer {
         self.prefer.unwrap_or_default()

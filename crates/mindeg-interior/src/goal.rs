@@ -71,7 +71,7 @@ pub(crate) fn goals(
         let (least, wanted, ideal) = match is_boundary {
             true => {
                 let ideal = outline.angle(vertex) / (PI / 3.0);
-                (options.least_triangles(), options.degree_limit(outline, vertex) - 1, ideal)
+                (options.wanted.least_triangles(), options.degree_limit(outline, vertex) - 1, ideal)
             }
             false => (low, high, 6.0),
         };

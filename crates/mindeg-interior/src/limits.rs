@@ -150,15 +150,15 @@ pub fn fan_limit_from(
     best * (180.0 / PI)
 }
 
-/// The fan limit at a vertex of an outline, in degrees.
-#[must_use]
-pub fn fan_limit_at(outline: &PlanarBoundary, vertex: u32, max_triangles: Option<u32>) -> f64 {
-    fan_limit_at_from(1, outline, vertex, max_triangles)
-}
-
-fn fan_limit_at_from(least: u32, outline: &PlanarBoundary, vertex: u32, most: Option<u32>) -> f64 {
+/// The fan limit in degrees at a vertex of an outline, with at least so many triangles.
+pub(crate) fn fan_limit_at(
+    outline: &PlanarBoundary,
+    vertex: u32,
+    least: u32,
+    max_triangles: Option<u32>,
+) -> f64 {
     let lengths = [outline.length(vertex), outline.length(outline.previous(vertex))];
-    fan_limit_from(least, outline.angle(vertex), lengths, most)
+    fan_limit_from(least, outline.angle(vertex), lengths, max_triangles)
 }
 
 /// The limits of a whole outline, if each boundary vertex has at least so many triangles, and at most the edges that
@@ -174,7 +174,7 @@ pub fn limits(
     let least = |max_triangles: &dyn Fn(u32) -> Option<u32>| {
         let mut least = FanLimit { angle: f64::INFINITY, vertex: 0 };
         for vertex in 0..outline.vertex_count() {
-            let angle = fan_limit_at_from(triangles, outline, vertex, max_triangles(vertex));
+            let angle = fan_limit_at(outline, vertex, triangles, max_triangles(vertex));
             if angle < least.angle {
                 least = FanLimit { angle, vertex };
             }

@@ -371,9 +371,9 @@ mod tests {
         // With 2 triangles where 1 is allowed: the angle of each degree up to the best, and the one at hand.
         let [corner] = &report.corners[..] else { panic!("{:?}", report.corners) };
         assert_eq!((corner.vertex, corner.degree, corner.degree_limit), (0, 3, 2));
-        let angle = |triangles| fan_limit_at(&outline, 0, Some(triangles));
+        let angle = |triangles| fan_limit_at(&outline, 0, 1, Some(triangles));
         assert_eq!(corner.angles[..2], [(2, angle(1)), (3, angle(2))]);
-        let best = fan_limit_at(&outline, 0, None);
+        let best = fan_limit_at(&outline, 0, 1, None);
         assert_eq!(corner.angles.last().map(|(_, angle)| *angle), Some(best));
         assert_eq!((report.local.at, report.local.is_tent), (points[0], false));
     }

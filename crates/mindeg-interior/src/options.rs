@@ -248,16 +248,11 @@ impl Options {
         }
     }
 
-    /// The least number of triangles at a boundary vertex: with one alone, all its corners are at the boundary.
-    pub(crate) fn least_triangles(&self) -> u32 {
-        if self.wanted.has_corners_inside() { 2 } else { 1 }
-    }
-
     /// The limits of an outline whose vertices have the degrees wanted, or up to those of `beyond`.
     #[must_use]
     pub fn limits(&self, outline: &PlanarBoundary, beyond: impl Fn(u32) -> u32) -> Limits {
         let degree_limit = |vertex| self.degree_limit(outline, vertex).max(beyond(vertex));
-        limits(outline, self.least_triangles(), degree_limit)
+        limits(outline, self.wanted.least_triangles(), degree_limit)
     }
 
     /// The stars of an outline's vertices.
