@@ -15,7 +15,7 @@ use mindeg_answers::advice::Advice;
 use mindeg_answers::degree::{DegreeBeside, DegreeReport};
 use mindeg_answers::limit::Lifting;
 use mindeg_answers::model::ModelAnswer;
-use mindeg_answers::names::{part_name, shown};
+use mindeg_answers::names::part_name;
 use mindeg_answers::suggest::in_words;
 use mindeg_core::{Boundary, suggest};
 use mindeg_files::{Outputs, Wanted, write_to};
@@ -86,8 +86,7 @@ fn of_model(arguments: &DegreeArguments, found: &Model) -> Result<(), Failure> {
     if arguments.json {
         return print_json(&answer);
     }
-    let name = shown(found.name().unwrap_or("model"));
-    print(&format!("{name}: {}\n", answer.words.trim_end()))
+    print(&(answer.text() + "\n"))
 }
 
 /// The degrees of several domains beside each other.

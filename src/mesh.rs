@@ -26,6 +26,7 @@ pub(crate) use features::is_one_mesh;
 
 pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
     let output = &arguments.surface.output;
+    let (file, options) = (arguments.domain.file.as_deref(), &arguments.domain.options);
     let subject = opened(arguments)?;
     match subject {
         Subject::Domain(domain) => mesh_of(&domain, arguments, output),
@@ -49,12 +50,8 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
             let output = features::outputs_of_one(arguments, &polygons)?;
             mesh_of(&polygons.only()?, arguments, &output)
         }
-        Subject::Model(model) => {
-            let (file, options) = (arguments.domain.file.as_deref(), &arguments.domain.options);
-            model::run(&model::divided(*model, file, options)?, arguments)
-        }
+        Subject::Model(model) => model::run(&model::divided(*model, file, options)?, arguments),
         Subject::Mesh(mesh) => {
-            let (file, options) = (arguments.domain.file.as_deref(), &arguments.domain.options);
             model::run(&model::of_mesh(&mesh, file, options, &arguments.model)?, arguments)
         }
     }

@@ -7,12 +7,11 @@ pub(crate) use source::{bad, divided, of_mesh};
 use crate::args::MeshArguments;
 use crate::demands::met_or_written_anyway;
 use crate::failure::Failure;
-use crate::making::{Made, Making};
+use crate::making::Making;
 use mindeg::Model;
 use mindeg::model::{fill_model, mesh_model};
 use mindeg_answers::advice::Purpose;
 use mindeg_answers::model::ModelAnswer;
-use mindeg_answers::names::shown;
 use mindeg_mesh::TriMesh;
 
 pub(super) fn run(model: &Model, arguments: &MeshArguments) -> Result<(), Failure> {
@@ -29,14 +28,9 @@ pub(super) fn run(model: &Model, arguments: &MeshArguments) -> Result<(), Failur
     let mesh = &meshed.mesh;
     let end = judged(arguments, mesh, meshed.min_angle)?;
     let made = making.write(mesh)?;
-    said(made, model, &ModelAnswer::of(model, &meshed))?;
+    let answer = ModelAnswer::of(model, &meshed);
+    made.say(|| answer.text(), || &answer)?;
     end
-}
-
-/// Says what was made of a model.
-fn said(made: Made, model: &Model, answer: &ModelAnswer) -> Result<(), Failure> {
-    let name = shown(model.name().unwrap_or("model"));
-    made.say(|| format!("{name}: {}", answer.words), || answer)
 }
 
 /// How the run ends once the mesh is written, if it is to be.
@@ -60,6 +54,7 @@ fn fill(model: &Model, arguments: &MeshArguments, mut making: Making) -> Result<
     let mesh = &filled.mesh;
     let end = judged(arguments, mesh, filled.min_angle)?;
     let made = making.write(mesh)?;
-    said(made, model, &ModelAnswer::filled(model, &filled))?;
+    let answer = ModelAnswer::filled(model, &filled);
+    made.say(|| answer.text(), || &answer)?;
     end
 }

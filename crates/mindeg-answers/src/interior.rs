@@ -316,7 +316,7 @@ pub fn violations(report: &InteriorReport) -> Option<String> {
 }
 
 /// The degrees that are demanded and not reached, in words: those wanted, and at the boundary those that the
-/// domain limits. A default value demands nothing.
+/// domain limits; and the triangles without a corner inside, where each is to have one. A default value demands nothing.
 #[must_use]
 pub fn unmet_degrees(
     report: &InteriorReport,

@@ -108,6 +108,12 @@ impl ModelAnswer {
         Self::new(model, &meshed.mesh, (meshed.max_degree, &degree), known, lines)
     }
 
+    /// The answer in sentences, under the name of the model.
+    #[must_use]
+    pub fn text(&self) -> String {
+        format!("{}: {}", shown(self.name.as_deref().unwrap_or("model")), self.words)
+    }
+
     /// The answer for a model whose faces have points inside.
     #[must_use]
     pub fn filled(model: &Model, filled: &FilledModel) -> Self {

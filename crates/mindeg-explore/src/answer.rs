@@ -55,8 +55,8 @@ pub fn answer(
     let start = Instant::now();
     let (request, domain) = match understood(body) {
         Ok(understood) => understood,
-        Err(line) => {
-            out(&line);
+        Err((message, path)) => {
+            out(&AnswerLine::Refused { part: None, message, path });
             return Ok(());
         }
     };
@@ -72,16 +72,14 @@ pub fn answer(
 ///
 /// # Errors
 ///
-/// The line that says what is wrong.
-pub(crate) fn understood(body: &[u8]) -> Result<(Request, Domain), Box<AnswerLine>> {
+/// What is wrong, in a sentence, and the key of the domain where it is.
+pub(crate) fn understood(body: &[u8]) -> Result<(Request, Domain), (String, Option<String>)> {
     let request: Request = serde_json::from_slice(body)
         .map_err(|error| format!("the request is not what the page sends: {error}"))
         .and_then(|request: Request| request.checked())
-        .map_err(|message| Box::new(refused(None, message)))?;
-    let domain = Domain::from_json_up_to(request.domain.get(), MAX_VERTICES).map_err(|error| {
-        let message = without_options(&error.without_position());
-        Box::new(AnswerLine::Refused { part: None, message, path: Some(error.path) })
-    })?;
+        .map_err(|message| (without_options(&message), None))?;
+    let domain = Domain::from_json_up_to(request.domain.get(), MAX_VERTICES)
+        .map_err(|error| (without_options(&error.without_position()), Some(error.path)))?;
     Ok((request, domain))
 }
 

@@ -8,7 +8,6 @@ use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
 
 use crate::answer::understood;
-use crate::api::AnswerLine;
 use crate::command::{KnownFiles, with_domain};
 use crate::terms::without_options;
 
@@ -43,10 +42,7 @@ pub(crate) fn conditioned(
     body: &[u8],
     known: &KnownFiles,
 ) -> Result<ConditionedShown, String> {
-    let (request, domain) = understood(body).map_err(|line| match *line {
-        AnswerLine::Refused { message, .. } => message,
-        _ => String::new(),
-    })?;
+    let (request, domain) = understood(body).map_err(|(message, _)| message)?;
     let Asked { angle, size, within } = asked;
     let base = size.map_or_else(BoundaryDemands::default, BoundaryDemands::of_size);
     let demands = BoundaryDemands { angle, within: within.unwrap_or(base.within), ..base };
@@ -70,10 +66,7 @@ pub(crate) fn conditioned(
 ///
 /// Why there is none, in a sentence.
 pub(crate) fn divided(size: f64, body: &[u8]) -> Result<Box<RawValue>, String> {
-    let (_, domain) = understood(body).map_err(|line| match *line {
-        AnswerLine::Refused { message, .. } => message,
-        _ => String::new(),
-    })?;
+    let (_, domain) = understood(body).map_err(|(message, _)| message)?;
     let mut sides = domain.sides().to_vec();
     sides.iter_mut().for_each(|side| side.intervals = Intervals::Size(size));
     let divided = domain.with_sides(sides).map_err(|error| error.to_string())?;

@@ -5,7 +5,7 @@ use mindeg_mesh::{Progress, Triangles, Written};
 use std::path::PathBuf;
 
 use crate::answer::understood;
-use crate::api::{AnswerLine, FormatFact, View};
+use crate::api::{FormatFact, View};
 use crate::command::file_stem;
 use crate::format::{format_named, formats};
 use crate::mesh::Made;
@@ -31,10 +31,7 @@ pub(crate) fn download(
 ) -> Result<Download, String> {
     let format =
         format_named(format).ok_or_else(|| format!("no format {format:?} is written here"))?;
-    let (request, domain) = understood(body).map_err(|line| match *line {
-        AnswerLine::Refused { message, .. } => message,
-        _ => String::new(),
-    })?;
+    let (request, domain) = understood(body).map_err(|(message, _)| message)?;
     let view = view.unwrap_or(request.view);
     let stem = file_stem(&domain, view, request.goal);
     let path = PathBuf::from(format!("{stem}.{}", format.extension()));

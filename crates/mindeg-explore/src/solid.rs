@@ -88,13 +88,11 @@ impl Asked {
 /// The command that writes the mesh that is asked for: of a whole model, its mesh first.
 fn command(asked: &Asked, known: &KnownFiles, is_model: bool) -> String {
     let file = shell_word(known.surface(&asked.name));
-    let of_model = format!(
-        "mindeg mesh {file} -o {}.obj",
-        Asked { change: Change::Nothing, ..asked.clone() }.stem()
-    );
+    let mesh = format!("{}.obj", Asked { change: Change::Nothing, ..asked.clone() }.stem());
+    let of_model = format!("mindeg mesh {file} -o {mesh}");
     let file = match (is_model, asked.change) {
         (true, Change::Nothing) => return of_model,
-        (true, _) => format!("{}.obj", Asked { change: Change::Nothing, ..asked.clone() }.stem()),
+        (true, _) => mesh,
         (false, _) => file,
     };
     let interior = if asked.interior { " --interior" } else { "" };

@@ -84,7 +84,7 @@ pub fn stitch(
         Gap::Overlap(projection) => projection,
     };
     let meshes = match projection {
-        Some(_) => Cow::Owned(going_on(meshes)?),
+        Some(_) => going_on(meshes)?,
         None => Cow::Borrowed(meshes),
     };
     let meshes = &*meshes;
@@ -100,16 +100,15 @@ pub fn stitch(
 }
 
 /// Meshes in degrees whose longitudes go on across the antimeridian from the first vertex on.
-fn going_on(meshes: &[TriMesh]) -> Result<Vec<TriMesh>, MeshError> {
-    let first = meshes.iter().find_map(|mesh| mesh.positions().first());
-    let origin = first.map_or(0.0, |first| first.x);
+fn going_on(meshes: &[TriMesh]) -> Result<Cow<'_, [TriMesh]>, MeshError> {
+    let mut positions = meshes.iter().flat_map(TriMesh::positions);
+    let Some(&DVec3 { x: origin, .. }) = positions.next() else { return Ok(meshes.into()) };
+    if positions.all(|at| beside(at.x, origin) == at.x) {
+        return Ok(meshes.into());
+    }
     let moved = |mesh: &TriMesh| {
         let at = |at: &DVec3| DVec3 { x: beside(at.x, origin), ..*at };
-        let positions: Vec<DVec3> = mesh.positions().iter().map(at).collect();
-        if positions == mesh.positions() {
-            return Ok(mesh.clone());
-        }
-        Ok(mesh.clone().with_positions(positions)?)
+        Ok(mesh.clone().with_positions(mesh.positions().iter().map(at).collect())?)
     };
     meshes.iter().map(moved).collect()
 }
