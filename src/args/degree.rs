@@ -50,13 +50,14 @@ Examples:
   mindeg suggest 30,2,4,2
   mindeg suggest 30,2,4,2 --max-degree 5 --json
   mindeg suggest assets/domains/dominated-side.json --limit 5
-  mindeg suggest assets/domains/gusset.json";
+  mindeg suggest assets/domains/gusset.json
+  mindeg suggest assets/models/bracket.obj --size 5";
 
 /// Suggest the least change of interval counts that brings the least maximum degree down
 ///
 /// Least means the fewest intervals added or taken away in all. Of changes of the same size, one
 /// that adds is preferred. A domain with holes, without a convex outline or with lines inside is searched: the answer
-/// says what is proven. A side with points of its own keeps them and gets more on its longest edges. For a domain, also changes that lift the limit of the minimum angle with interior points.
+/// says what is proven; so are the edges of a model. A side with points of its own keeps them and gets more on its longest edges. For a domain, also changes that lift the limit of the minimum angle with interior points.
 #[derive(Debug, Args)]
 #[command(after_help = SUGGEST, after_long_help = with_exit_codes(SUGGEST))]
 pub(crate) struct SuggestArguments {
@@ -67,15 +68,18 @@ pub(crate) struct SuggestArguments {
     #[arg(long, value_name = "D", value_parser = whole_number, allow_hyphen_values = true, help_heading = "Answer")]
     pub(crate) max_degree: Option<u32>,
 
+    #[command(flatten)]
+    pub(crate) model: ModelArguments,
+
     /// Print at most this many suggestions: the first, the last, and others spread evenly between;
     /// 0 prints all
     #[arg(long, value_name = "N", value_parser = whole_number, default_value = "20", allow_hyphen_values = true, help_heading = "Answer")]
     pub(crate) limit: u32,
 
-    /// Print JSON: intervals, least_max_degree (null if not known), reached, suggestion_count, and suggestions, a
+    /// Print JSON: intervals, least_max_degree (null if not known), at_least, reached, suggestion_count, and suggestions, a
     /// list of least_max_degree, reached, cost, cost_at_least (no change of less cost is enough), changes (side
-    /// counted from 1 through all rings, by, and the points that are added to points of its own) and intervals; open, a smaller degree that no change was found for, with
-    /// cost_at_least; for a domain limit and angle_suggestions
+    /// counted from 1 through all rings, corners of a model's edge, by, and the points that are added to points of its own) and intervals; open, a smaller degree that no change was found for, with
+    /// cost_at_least; for a domain limit and angle_suggestions; parts, where there are several
     #[arg(long, help_heading = "Messages")]
     pub(crate) json: bool,
 }

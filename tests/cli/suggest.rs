@@ -1,5 +1,6 @@
 use crate::run::{mindeg, mindeg_reading};
 use serde_json::json;
+use std::fs;
 
 #[test]
 fn json_lists_every_lower_degree_with_its_change() {
@@ -171,4 +172,61 @@ fn drawn_outlines_get_points_on_their_longest_edges() {
     let row = &reading(&["--json"]).json()["suggestions"][0];
     assert_eq!((&row["cost"], &row["cost_at_least"]), (&json!(1), &json!(1)));
     assert_eq!(row["changes"][0]["points"], json!([[3.0, 2.0]]));
+}
+
+#[test]
+fn a_model_is_told_which_edges_to_change() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let tetrahedron = folder.path().join("tetrahedron.json");
+    let text = r#"{"corners": [[0,0,0], [1,0,0], [0,1,0], [0,0,1]], "size": 0.8,
+            "edges": [{"corners": [2, 3], "intervals": 2, "name": "ridge"}],
+            "faces": [[0,2,1], [0,1,3], [1,2,3], [2,0,3]]}"#;
+    fs::write(&tetrahedron, text).expect("a file");
+    let tetrahedron = tetrahedron.to_str().expect("UTF-8");
+    let text = mindeg(["suggest", tetrahedron]);
+    assert!(text.text().contains("take 1 from edge ridge"), "{}", text.text());
+    let answer = mindeg(["suggest", tetrahedron, "--max-degree", "4", "--json"]).json();
+    let [row] = &answer["suggestions"].as_array().unwrap()[..] else { panic!("{answer}") };
+    assert_eq!(row["reached"], 4);
+    assert_eq!(row["changes"].as_array().unwrap().len(), 2, "{row}");
+    assert!(row["changes"][0]["corners"].is_array(), "{row}");
+
+    let brackets = ["suggest", "assets/models/bracket.obj", "--size", "5"];
+    assert!(mindeg(brackets).text().contains("No change of counts brings it down."));
+    mindeg(&brackets[..2]).refuses(&["--size S"]);
+    mindeg(["suggest", tetrahedron, "--max-degree", "2"])
+        .refuses(&["no counts on this model", "below 3"]);
+}
+
+#[test]
+fn domains_beside_each_other_each_have_their_changes() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let square = |x: u32, top: &str| {
+        let right = x + 9;
+        format!(
+            r#"{{"type": "Polygon", "coordinates": [[[{x}, 0], [{right}, 0], [{right}, 9], {top} [{x}, 9], [{x}, 0]]]}}"#
+        )
+    };
+    let many: String = (1..9).rev().map(|x| format!("[{x}, 9],")).collect();
+    let both = format!(
+        r#"{{"type": "GeometryCollection", "geometries": [{}, {}]}}"#,
+        square(0, &many),
+        square(20, "")
+    );
+    let file = folder.path().join("both.geojson");
+    fs::write(&file, both).expect("a file");
+    let file = file.to_str().expect("UTF-8");
+    let answer = mindeg(["suggest", file, "--json"]).json();
+    let [many, few] = &answer["parts"].as_array().unwrap()[..] else { panic!("{answer}") };
+    assert_eq!(answer["least_max_degree"], many["least_max_degree"]);
+    assert!(many["least_max_degree"].as_u64() > few["least_max_degree"].as_u64(), "{answer}");
+    assert!(many["limit"]["angle_limit"].is_number(), "{many}");
+    let text = mindeg(["suggest", file, "--limit", "1"]);
+    assert!(
+        text.text().contains("\npart 1 (polygon 1): The least maximum degree is"),
+        "{}",
+        text.text()
+    );
+    assert!(text.text().contains("all 2 parts"), "{}", text.text());
+    mindeg(["suggest", file, "--max-degree", "1"]).refuses(&["part 1"]);
 }

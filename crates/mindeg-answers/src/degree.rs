@@ -340,6 +340,6 @@ impl DegreeReport {
 }
 
 /// A degree, or what it is between.
-fn degree_or_range(least: Option<u32>, [at_least, reached]: [u32; 2]) -> String {
+pub(crate) fn degree_or_range(least: Option<u32>, [at_least, reached]: [u32; 2]) -> String {
     least.map_or_else(|| format!("{at_least} to {reached}"), |least| least.to_string())
 }

@@ -267,13 +267,15 @@ fn place_text(model: &Model, meshed: &ModelMesh, vertex: u32) -> String {
     let [x, y, z] = position.to_array().map(|x| format!("{}", x as f32));
     let place = match model.place(vertex) {
         ModelPlace::Corner(corner) => format!("corner {corner}"),
-        ModelPlace::Edge { edge, .. } => {
-            let [low, high] = model.edge_corners(edge as usize);
-            match model.edge_name(edge as usize) {
-                Some(name) => format!("on edge {}", shown(name)),
-                None => format!("on edge {low}-{high}"),
-            }
-        }
+        ModelPlace::Edge { edge, .. } => format!("on {}", edge_in_text(model, edge as usize)),
     };
     format!("{vertex} ({place}, at {x} {y} {z})")
+}
+
+/// An edge by its name or its corners, such as "edge 0-4".
+pub(crate) fn edge_in_text(model: &Model, edge: usize) -> String {
+    match (model.edge_name(edge), model.edge_corners(edge)) {
+        (Some(name), _) => format!("edge {}", shown(name)),
+        (None, [low, high]) => format!("edge {low}-{high}"),
+    }
 }

@@ -1,19 +1,26 @@
 //! Changes of interval counts that bring the least maximum degree down.
 
+mod beside;
+
+pub use beside::{SuggestBeside, SuggestPart};
+
 use crate::limit::{LiftAnswer, LimitAnswer};
+use crate::model::edge_in_text;
 use crate::numbers::significant;
-use mindeg::changes::{CountChange, CountChanges, count_changes};
-use mindeg::{Domain, Intervals, MeshError, Progress};
+use mindeg::changes::{CountChange, CountChanges, count_changes, model_count_changes};
+use mindeg::{Domain, Intervals, MeshError, Model, Progress};
 use mindeg_core::{Boundary, Change, Suggestion, least_max_degree, suggest, suggestions};
 use serde::Serialize;
 
-/// The suggestions for a boundary or a domain; sides count from 1, through all rings.
+/// The suggestions for a boundary, a domain or a model; sides count from 1, through all rings or edges.
 #[derive(Clone, Debug, Serialize)]
 pub struct SuggestAnswer {
     /// The intervals of each side.
     pub intervals: Vec<u64>,
     /// The least maximum degree with these; null where it is not known.
     pub least_max_degree: Option<u32>,
+    /// No mesh has a smaller maximum degree with these.
+    pub at_least: u32,
     /// Some mesh has this one.
     pub reached: u32,
     /// The number of suggestions, of which some may be left out.
@@ -51,7 +58,11 @@ pub struct SuggestedChange {
 
 #[derive(Clone, Debug, Serialize)]
 struct ChangedSide {
+    /// From 1, as in `intervals`.
     side: usize,
+    /// Those of a model's edge.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    corners: Option<[u32; 2]>,
     by: i64,
     /// The points that a side with points of its own gets.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -88,7 +99,7 @@ impl SuggestAnswer {
         let today = least_max_degree(boundary);
         let suggestions = all.iter().map(|one| SuggestedChange::of_counts(one, boundary)).collect();
         let intervals = boundary.sides().map(u64::from).collect();
-        Ok(Self::new(intervals, Some(today), today, suggestions))
+        Ok(Self::new(intervals, [today; 2], suggestions))
     }
 
     /// The smallest changes for any domain: by the formula where it is convex, its sides on one line counted as one;
@@ -100,18 +111,50 @@ impl SuggestAnswer {
     pub fn of(
         domain: &Domain,
         wanted: Option<u32>,
+        effort: f64,
         progress: Progress<'_>,
     ) -> Result<Self, MeshError> {
         if let Some(form) = domain.convex().filter(|_| !domain.is_constrained()) {
             return Self::of_counts(form.boundary(), wanted);
         }
-        let CountChanges { today, found, floor, open } = count_changes(domain, wanted, progress)?;
-        let mut suggestions: Vec<_> =
-            found.iter().map(|change| SuggestedChange::of(change, domain)).collect();
+        let intervals = domain.rings().sides().map(u64::from).collect();
+        let changes = count_changes(domain, wanted, effort, progress)?;
+        let row = |change: &CountChange<Domain>| SuggestedChange::of(change, domain);
+        Self::of_changes("domain", intervals, changes, wanted, row)
+    }
+
+    /// The smallest changes that are found for a model, see [`model_count_changes`]. Its edges are its sides.
+    ///
+    /// # Errors
+    ///
+    /// The errors of [`model_count_changes`], and a wanted degree that no change was found for.
+    pub fn of_model(
+        model: &Model,
+        wanted: Option<u32>,
+        effort: f64,
+        progress: Progress<'_>,
+    ) -> Result<Self, MeshError> {
+        let intervals =
+            (0..model.edge_count()).map(|edge| u64::from(model.intervals(edge))).collect();
+        let changes = model_count_changes(model, wanted, effort, progress)?;
+        let row = |change: &CountChange<Model>| SuggestedChange::of_model(change, model);
+        Self::of_changes("model", intervals, changes, wanted, row)
+    }
+
+    /// The changes that were found for a subject that is called as `what` says.
+    fn of_changes<T>(
+        what: &str,
+        intervals: Vec<u64>,
+        changes: CountChanges<T>,
+        wanted: Option<u32>,
+        row: impl Fn(&CountChange<T>) -> SuggestedChange,
+    ) -> Result<Self, MeshError> {
+        let CountChanges { at_least, reached, found, floor, open } = changes;
+        let mut suggestions: Vec<_> = found.iter().map(row).collect();
         if let Some(wanted) = wanted {
             if wanted < floor {
                 return Err(MeshError::Refused(format!(
-                    "no counts on this domain have a least maximum degree below {floor}"
+                    "no counts on this {what} have a least maximum degree below {floor}"
                 )));
             }
             if let Some((degree, at_least)) = open {
@@ -121,15 +164,10 @@ impl SuggestAnswer {
                 )));
             }
             if suggestions.is_empty() {
-                let none = Suggestion { changes: Vec::new(), max_degree: today.reached };
-                let (at_least, domain) = (0, domain.clone());
-                let is_least = today.least_max_degree().is_some();
-                let none = CountChange { suggestion: none, is_least, at_least, domain };
-                suggestions.push(SuggestedChange::of(&none, &none.domain));
+                suggestions.push(SuggestedChange::none([at_least, reached], intervals.clone()));
             }
         }
-        let intervals = domain.rings().sides().map(u64::from).collect();
-        let mut answer = Self::new(intervals, today.least_max_degree(), today.reached, suggestions);
+        let mut answer = Self::new(intervals, [at_least, reached], suggestions);
         answer.open =
             open.map(|(max_degree, cost_at_least)| OpenDegree { max_degree, cost_at_least });
         Ok(answer)
@@ -137,13 +175,13 @@ impl SuggestAnswer {
 
     fn new(
         intervals: Vec<u64>,
-        least_max_degree: Option<u32>,
-        reached: u32,
+        [at_least, reached]: [u32; 2],
         suggestions: Vec<SuggestedChange>,
     ) -> Self {
         Self {
             intervals,
-            least_max_degree,
+            least_max_degree: (at_least == reached).then_some(reached),
+            at_least,
             reached,
             suggestion_count: suggestions.len(),
             suggestions,
@@ -179,14 +217,15 @@ impl SuggestedChange {
     fn of_counts(suggestion: &Suggestion, boundary: &Boundary) -> Self {
         let intervals = suggestion.intervals(boundary);
         let words = in_words(suggestion, |side| format!("side {}", side + 1));
-        let rings = [intervals.as_slice()];
+        let words = giving(words, &[&intervals]);
         let changes = suggestion.changes.iter().map(|change| ChangedSide::new(change, Vec::new()));
-        Self::new(suggestion, true, suggestion.cost(), changes.collect(), &rings, &words)
+        let (changes, cost) = (changes.collect(), suggestion.cost());
+        Self::new(suggestion, true, cost, changes, intervals, &words)
     }
 
     /// A change that was found for a domain.
-    fn of(change: &CountChange, domain: &Domain) -> Self {
-        let CountChange { suggestion, is_least, at_least, domain: after } = change;
+    fn of(change: &CountChange<Domain>, domain: &Domain) -> Self {
+        let CountChange { suggestion, is_least, at_least, after } = change;
         let counts: Vec<u64> = after.rings().sides().map(u64::from).collect();
         let ring = |ring| &counts[after.rings().ring_sides(ring)];
         let rings: Vec<&[u64]> = (0..after.rings().ring_count()).map(ring).collect();
@@ -195,9 +234,29 @@ impl SuggestedChange {
         let words = in_words(suggestion, |side| {
             let points = changes.iter().find(|change| change.side == side + 1);
             let places = points.map_or_else(String::new, ChangedSide::places);
-            format!("{}{places}", domain.side_name(side))
+            format!("{}{places}", side_in_text(domain, side))
         });
-        Self::new(suggestion, *is_least, *at_least, changes, &rings, &words)
+        let words = giving(words, &rings);
+        Self::new(suggestion, *is_least, *at_least, changes, counts, &words)
+    }
+
+    /// A change that was found for a model.
+    fn of_model(change: &CountChange<Model>, model: &Model) -> Self {
+        let CountChange { suggestion, is_least, at_least, after } = change;
+        let counts = (0..after.edge_count()).map(|edge| u64::from(after.intervals(edge))).collect();
+        let side = |one: &Change| {
+            let corners = Some(model.edge_corners(one.side));
+            ChangedSide { corners, ..ChangedSide::new(one, Vec::new()) }
+        };
+        let changes = suggestion.changes.iter().map(side).collect();
+        let words = in_words(suggestion, |edge| edge_in_text(model, edge));
+        Self::new(suggestion, *is_least, *at_least, changes, counts, &words)
+    }
+
+    /// No change, where the degree is small enough.
+    fn none([at_least, reached]: [u32; 2], intervals: Vec<u64>) -> Self {
+        let none = Suggestion { changes: Vec::new(), max_degree: reached };
+        Self::new(&none, at_least == reached, 0, Vec::new(), intervals, "")
     }
 
     fn new(
@@ -205,20 +264,16 @@ impl SuggestedChange {
         is_least: bool,
         cost_at_least: u64,
         changes: Vec<ChangedSide>,
-        rings: &[&[u64]],
+        intervals: Vec<u64>,
         words: &str,
     ) -> Self {
         let (reached, cost) = (suggestion.max_degree, suggestion.cost());
-        let counts = |ring: &&[u64]| ring.iter().map(u64::to_string).collect::<Vec<_>>().join(",");
-        let counts = rings.iter().map(counts).collect::<Vec<_>>().join("; ");
         let or_less = if is_least { "" } else { " or less" };
         let words = match cost_at_least {
             _ if cost == 0 => "No change is needed.\n".to_owned(),
-            least if least >= cost => {
-                format!("For {reached}{or_less}: {words}, giving {counts}.\n")
-            }
+            least if least >= cost => format!("For {reached}{or_less}: {words}.\n"),
             least => format!(
-                "For {reached}{or_less}: {words}, giving {counts}. Whether a smaller change is enough is not known; \
+                "For {reached}{or_less}: {words}. Whether a smaller change is enough is not known; \
                  none of fewer than {} is.\n",
                 intervals_in_words(least)
             ),
@@ -228,16 +283,32 @@ impl SuggestedChange {
             reached,
             cost,
             cost_at_least,
-            intervals: rings.concat(),
+            intervals,
             changes,
             words,
         }
     }
 }
 
+/// A side by its name; with its index where others have that name, too.
+fn side_in_text(domain: &Domain, side: usize) -> String {
+    let name = domain.side_name(side);
+    let is_same = |other: &usize| domain.sides()[*other].name.as_deref() == Some(&name);
+    match (0..domain.sides().len()).filter(is_same).nth(1) {
+        Some(_) => format!("side {} ({name})", side + 1),
+        None => name,
+    }
+}
+
+/// A change in words, with the counts of each ring after it.
+fn giving(words: String, rings: &[&[u64]]) -> String {
+    let counts = |ring: &&[u64]| ring.iter().map(u64::to_string).collect::<Vec<_>>().join(",");
+    words + ", giving " + &rings.iter().map(counts).collect::<Vec<_>>().join("; ")
+}
+
 impl ChangedSide {
     fn new(&Change { side, by }: &Change, points: Vec<[f64; 2]>) -> Self {
-        Self { side: side + 1, by, points }
+        Self { side: side + 1, corners: None, by, points }
     }
 
     fn of(change: &Change, before: &Domain, after: &Domain) -> Self {

@@ -66,11 +66,11 @@ pub(crate) fn suggestions(
             shown(&suggestion, &changed(domain, &suggestion.changes)?, &name)
         }));
     } else if domain.rings().vertex_count() <= SEARCHED
-        && let Ok(changes) = count_changes(domain, None, progress)
+        && let Ok(changes) = count_changes(domain, None, 1.0, progress)
     {
         let name = |side: usize| domain.side_name(side);
         let changes = changes.found.iter().take(MOST);
-        found.extend(changes.filter_map(|change| shown(&change.suggestion, &change.domain, &name)));
+        found.extend(changes.filter_map(|change| shown(&change.suggestion, &change.after, &name)));
     }
     found.extend(lifted.and_then(|lift| {
         Some(ChangeShown {

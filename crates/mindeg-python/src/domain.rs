@@ -153,9 +153,9 @@ impl Domain {
             };
             return Ok(mindeg_core::suggestions(boundary).map(by_formula).collect());
         }
-        let changes = done(py, |progress| count_changes(&self.inner, None, progress))?;
+        let changes = done(py, |progress| count_changes(&self.inner, None, 1.0, progress))?;
         let found = changes.found.into_iter().map(|change| {
-            let intervals = change.domain.rings().sides().map(u64::from).collect();
+            let intervals = change.after.rings().sides().map(u64::from).collect();
             suggestion(change.suggestion, intervals, change.at_least)
         });
         Ok(found.collect())

@@ -1,25 +1,27 @@
-//! Changes of interval counts that bring the least maximum degree of a domain down where no formula tells them:
-//! with holes, and round a polygon that is not convex.
+//! Changes of interval counts that bring the least maximum degree down where no formula tells them: of a domain with
+//! holes or round a polygon that is not convex, and of a whole model.
 //!
 //! The positions of the points decide, so changes are tried: all of one interval, then all of two, and so on. While
 //! each of them is decided, a change that is found is the smallest. Where they are too many, more intervals go to
-//! one side alone, or in even shares to a ring or to all sides.
+//! one side alone, or in even shares to a ring or to all sides. The edges of a model are its sides.
 //!
 //! A side with points of its own keeps them: more intervals divide its longest edges. Lines inside keep their points.
 //!
 //! Limits: a number of tries that depends on the number of vertices, and a share of the steps of `degree` for each.
 
-use glam::DVec2;
 use mindeg_core::{Change, Suggestion};
-use mindeg_domain::{Constraints, Domain, ExternalDegree, SideConstraint};
 use mindeg_mesh::Progress;
 use mindeg_mesh::parallel::map_all;
 
-use crate::degree::{DegreeAnswer, degree_decided};
 use crate::error::MeshError;
 
 mod listed;
+mod of_domain;
+mod of_model;
 mod side;
+
+pub use of_domain::count_changes;
+pub use of_model::model_count_changes;
 
 /// The tries of a domain, times the square of its vertices: some seconds.
 const WORK: usize = 4_000_000;
@@ -40,11 +42,13 @@ const CHUNK: usize = 16;
 
 /// The changes that lead to smaller degrees, as far as they are found.
 #[derive(Clone, Debug)]
-pub struct CountChanges {
-    /// The degree without a change.
-    pub today: DegreeAnswer,
+pub struct CountChanges<T> {
+    /// No mesh has a smaller maximum degree without a change.
+    pub at_least: u32,
+    /// Some mesh has this one without a change.
+    pub reached: u32,
     /// The changes: degrees fall, costs do not.
-    pub found: Vec<CountChange>,
+    pub found: Vec<CountChange<T>>,
     /// No counts have a smaller least maximum degree than this.
     pub floor: u32,
     /// The first degree that no change was found for, and the size that a change for it has at least.
@@ -53,7 +57,7 @@ pub struct CountChanges {
 
 /// A change of counts, and the degree after it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct CountChange {
+pub struct CountChange<T> {
     /// The change, and a maximum degree that some mesh has after it.
     pub suggestion: Suggestion,
     /// Whether no mesh has a smaller degree after it.
@@ -61,60 +65,53 @@ pub struct CountChange {
     /// No change of fewer intervals than this leads to a degree as small; the size of this change if it is proven to
     /// be the smallest.
     pub at_least: u64,
-    /// The domain after it.
-    pub domain: Domain,
+    /// The domain or model after it.
+    pub after: T,
 }
 
-/// The smallest changes of counts that are found for every smaller degree, or for `wanted` alone.
-///
-/// Of changes of the same size the first that is found is taken: one that adds before one that removes, of few sides
-/// before one of many.
-///
-/// # Errors
-///
-/// A domain with degrees of single vertices, which other counts would move; the errors of
-/// [`degree`](crate::exact::degree).
-///
-/// # Example
-///
-/// ```
-/// use mindeg::{Domain, Progress, Ring, Side, changes::count_changes};
-///
-/// // Degree 4 takes rings of as many vertices: here 8 and 7.
-/// let square = |half: f64| [(-half, -half), (half, -half), (half, half), (-half, half)];
-/// let ring = |half, counts: [u64; 4]| Ring::new(square(half), counts.map(Side::count).into());
-/// let domain = Domain::of_rings(vec![ring(2.0, [2, 2, 2, 2]), ring(1.0, [2, 1, 2, 2])])?;
-/// let changes = count_changes(&domain, None, Progress::NONE)?;
-/// assert_eq!((changes.today.reached, changes.floor), (5, 4));
-/// assert_eq!(changes.found[0].suggestion.max_degree, 4);
-/// assert_eq!(changes.found[0].suggestion.cost(), 1);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn count_changes(
-    domain: &Domain,
+/// What has sides with counts of intervals, which can be others.
+trait Divided: Clone + Send + Sync {
+    /// The intervals of each side.
+    fn counts(&self) -> Vec<u64>;
+    fn vertex_count(&self) -> u32;
+    /// The length of a side.
+    fn length(&self, side: usize) -> f64;
+    /// Whether a side has points that it keeps.
+    fn keeps_points(&self, side: usize) -> bool;
+    /// Sides that get more intervals together, besides all.
+    fn together(&self) -> Vec<Vec<usize>>;
+    /// The least maximum degree that any counts could have.
+    fn floor(&self) -> u32;
+    /// The size that a change to `target` has at least, by counting.
+    fn least_size(&self, target: u32) -> u64;
+    /// Whether counting excludes `target` after a change.
+    fn is_excluded(&self, target: u32, by: &[Change]) -> bool;
+    /// The same with other counts, if it can have them.
+    fn with_counts(&self, counts: &[u64]) -> Option<Self>;
+    /// A degree that no mesh is below, and one that some mesh has; the search may end once it knows about `wanted`.
+    fn degree(
+        &self,
+        wanted: Option<u32>,
+        effort: f64,
+        progress: Progress<'_>,
+    ) -> Result<[u32; 2], MeshError>;
+}
+
+/// The smallest changes that are found for every smaller degree, or for `wanted` alone.
+fn found<T: Divided>(
+    subject: &T,
     wanted: Option<u32>,
+    effort: f64,
     progress: Progress<'_>,
-) -> Result<CountChanges, MeshError> {
-    if constrains_vertices(domain.constraints()) {
-        return Err(MeshError::refused(
-            "the domain gives outside_degree or max_degree of single vertices, which other counts would move; mindeg \
-             degree, mesh and tradeoff keep to them",
-        ));
-    }
-    if domain.periodic().is_some() {
-        return Err(MeshError::refused(
-            "the domain has periodic sides, whose counts change with those of others; mindeg degree and mesh count on the joined \
-             mesh",
-        ));
-    }
-    let mut tries = Tries::new(domain, progress);
-    let today = degree_decided(domain, None, 1.0, progress)?;
-    let floor = floor(domain);
-    let (mut found, mut open, mut at_least) = (Vec::<CountChange>::new(), None, 0);
-    let mut reached = today.reached;
+) -> Result<CountChanges<T>, MeshError> {
+    let mut tries = Tries::new(subject, effort, progress);
+    let [today_at_least, today] = subject.degree(None, effort, progress)?;
+    let floor = subject.floor();
+    let (mut found, mut open, mut at_least) = (Vec::<CountChange<T>>::new(), None, 0);
+    let mut reached = today;
     while reached > floor.max(wanted.unwrap_or(0)) {
         let target = wanted.map_or(reached - 1, |wanted| wanted.max(floor));
-        if today.at_least > target {
+        if today_at_least > target {
             at_least = at_least.max(1);
         }
         let (change, proven) = tries.smallest(target, at_least)?;
@@ -126,64 +123,35 @@ pub fn count_changes(
         reached = change.suggestion.max_degree;
         found.push(change);
     }
-    Ok(CountChanges { today, found, floor, open })
+    Ok(CountChanges { at_least: today_at_least, reached: today, found, floor, open })
 }
 
-/// Whether degrees are given vertex by vertex.
-fn constrains_vertices(constraints: &Constraints) -> bool {
-    let each = |side: &SideConstraint| matches!(side.external_degree, ExternalDegree::Each(_));
-    !constraints.vertices.is_empty() || constraints.sides.iter().any(each)
-}
-
-/// The least maximum degree that any counts could have. Without a hole an ear is left out only of few vertices; with
-/// several, the mean of the degrees is above 4. Lines and points inside may join rings, or make small triangles.
-fn floor(domain: &Domain) -> u32 {
-    match domain.rings().ring_count() - 1 {
-        _ if domain.is_map() => 2,
-        0 => (domain.rings().side_count() as u32).clamp(3, 5) - 1,
-        1 => 4,
-        _ => 5,
-    }
-}
-
-/// A change that leads to the wanted degree, and the domain after it.
-type Leading = (Vec<Change>, Box<Domain>);
+/// A change that leads to the wanted degree, and what it leads to.
+type Leading<T> = (Vec<Change>, T);
 
 /// How a try ended.
-enum Tried {
-    Reached(Box<Domain>),
+enum Tried<T> {
+    Reached(T),
     Excluded,
     Open,
 }
 
 /// Tries of other counts.
-struct Tries<'a> {
-    domain: &'a Domain,
+struct Tries<'a, T> {
+    subject: &'a T,
     counts: Vec<u64>,
     total: usize,
     left: usize,
+    effort: f64,
     progress: Progress<'a>,
 }
 
-impl<'a> Tries<'a> {
-    fn new(domain: &'a Domain, progress: Progress<'a>) -> Self {
-        let vertices = domain.rings().vertex_count() as usize;
+impl<'a, T: Divided> Tries<'a, T> {
+    fn new(subject: &'a T, effort: f64, progress: Progress<'a>) -> Self {
+        let vertices = subject.vertex_count() as usize;
         let total = (WORK / vertices.saturating_pow(2)).clamp(TRIES[0], TRIES[1]);
-        Self {
-            domain,
-            counts: domain.rings().sides().map(u64::from).collect(),
-            total,
-            left: total,
-            progress,
-        }
-    }
-
-    /// The points where a side begins and ends.
-    fn ends(&self, side: usize) -> [DVec2; 2] {
-        let rings = self.domain.rings();
-        let own = rings.ring_sides(rings.in_ring(side).ring);
-        let next = if side + 1 == own.end { own.start } else { side + 1 };
-        [side, next].map(|corner| self.domain.placement().corners()[corner])
+        let total = (total as f64 * effort) as usize;
+        Self { subject, counts: subject.counts(), total, left: total, effort, progress }
     }
 
     /// The smallest change that is found to lead to `target`, of `at_least` intervals, and how many it has at least.
@@ -191,8 +159,8 @@ impl<'a> Tries<'a> {
         &mut self,
         target: u32,
         at_least: u64,
-    ) -> Result<(Option<CountChange>, u64), MeshError> {
-        let mut at_least = at_least.max(self.least_size(target));
+    ) -> Result<(Option<CountChange<T>>, u64), MeshError> {
+        let mut at_least = at_least.max(self.subject.least_size(target));
         let (mut is_proven, mut open, mut size) = (at_least > 0, 0, at_least.max(1));
         let kept = self.left / 3;
         while open < MOST_OPEN
@@ -201,8 +169,8 @@ impl<'a> Tries<'a> {
         {
             let (found, more_open) = self.first(target, changes)?;
             open += more_open;
-            if let Some((by, domain)) = found {
-                return Ok((Some(self.found(by, domain, at_least)?), at_least));
+            if let Some((by, after)) = found {
+                return Ok((Some(self.found(by, after, at_least)?), at_least));
             }
             is_proven &= open == 0;
             size += 1;
@@ -217,21 +185,19 @@ impl<'a> Tries<'a> {
         target: u32,
         from: u64,
         at_least: u64,
-    ) -> Result<Option<CountChange>, MeshError> {
+    ) -> Result<Option<CountChange<T>>, MeshError> {
         let all: Vec<usize> = (0..self.counts.len()).collect();
         let mut coarsest = all.clone();
         coarsest.sort_by(|&a, &b| self.interval(b, 0).total_cmp(&self.interval(a, 0)));
-        let rings = self.domain.rings();
-        let of_ring = |ring: usize| rings.ring_sides(ring).collect();
         let mut kinds: Vec<Vec<usize>> = coarsest.iter().map(|&side| vec![side]).collect();
         kinds.truncate(COARSEST);
-        kinds.extend((0..rings.ring_count()).map(of_ring).take(COARSEST));
+        kinds.extend(self.subject.together().into_iter().take(COARSEST));
         kinds.push(all);
-        let most = u64::from(rings.vertex_count()).max(FEW);
+        let most = u64::from(self.subject.vertex_count()).max(FEW);
         let (mut low, mut size) = (from, from);
         while self.left > 0 && size <= most {
             let more = kinds.iter().map(|sides| self.more(sides, size)).collect();
-            if let (Some((mut changes, mut domain)), _) = self.first(target, more)? {
+            if let (Some((mut changes, mut after)), _) = self.first(target, more)? {
                 let is_it = |sides: &&Vec<usize>| self.more(sides, size) == changes;
                 let kind = kinds.iter().find(is_it).cloned().unwrap_or_default();
                 // The sizes below `low` were tried.
@@ -239,12 +205,12 @@ impl<'a> Tries<'a> {
                     let middle = low.midpoint(size);
                     let fewer = self.more(&kind, middle);
                     match self.first(target, vec![fewer])?.0 {
-                        Some(found) => ((changes, domain), size) = (found, middle),
+                        Some(found) => ((changes, after), size) = (found, middle),
                         None => low = middle + 1,
                     }
                 }
-                self.shrink(target, &mut changes, &mut domain)?;
-                return Ok(Some(self.found(changes, domain, at_least)?));
+                self.shrink(target, &mut changes, &mut after)?;
+                return Ok(Some(self.found(changes, after, at_least)?));
             }
             low = size + 1;
             size += (size / 3).max(1);
@@ -257,7 +223,7 @@ impl<'a> Tries<'a> {
         &mut self,
         target: u32,
         changes: &mut Vec<Change>,
-        domain: &mut Box<Domain>,
+        after: &mut T,
     ) -> Result<(), MeshError> {
         for at in 0..changes.len() {
             let mut low = 0;
@@ -266,7 +232,7 @@ impl<'a> Tries<'a> {
                 let mut fewer = changes.clone();
                 fewer[at].by = middle;
                 match self.first(target, vec![fewer])?.0 {
-                    Some(found) => (*changes, *domain) = found,
+                    Some(found) => (*changes, *after) = found,
                     None => low = middle + 1,
                 }
             }
@@ -277,7 +243,7 @@ impl<'a> Tries<'a> {
 
     /// The length of the intervals of a side with `more` of them.
     fn interval(&self, side: usize, more: i64) -> f64 {
-        self.domain.placement().side_length(side) / (self.counts[side] as i64 + more) as f64
+        self.subject.length(side) / (self.counts[side] as i64 + more) as f64
     }
 
     /// This many more intervals on some sides, each on the one with the longest.
@@ -299,20 +265,20 @@ impl<'a> Tries<'a> {
         &mut self,
         target: u32,
         changes: Vec<Vec<Change>>,
-    ) -> Result<(Option<Leading>, usize), MeshError> {
+    ) -> Result<(Option<Leading<T>>, usize), MeshError> {
         let mut open = 0;
         let stage = "trying other counts";
         for chunk in changes.chunks(CHUNK) {
             self.progress.report(stage, (self.total - self.left) as u64, self.total as u64)?;
             self.left = self.left.saturating_sub(chunk.len());
             let tried = map_all(chunk.to_vec(), |by| {
-                let is_excluded = self.is_excluded(target, &by);
+                let is_excluded = self.subject.is_excluded(target, &by);
                 let tried = if is_excluded { Ok(Tried::Excluded) } else { self.tried(target, &by) };
                 (by, tried)
             });
             for (by, tried) in tried {
                 match tried? {
-                    Tried::Reached(domain) => return Ok((Some((by, domain)), open)),
+                    Tried::Reached(after) => return Ok((Some((by, after)), open)),
                     Tried::Excluded => {}
                     Tried::Open => open += 1,
                 }
@@ -324,17 +290,13 @@ impl<'a> Tries<'a> {
         Ok((None, open))
     }
 
-    fn tried(&self, target: u32, by: &[Change]) -> Result<Tried, MeshError> {
-        let mut sides = self.domain.sides().to_vec();
-        for &Change { side, by } in by {
-            let count = self.counts[side].saturating_add_signed(by);
-            sides[side] = side::with_intervals(&sides[side], self.ends(side), count);
-        }
-        // Rings that touch or have too few vertices are no domain.
-        let Ok(domain) = self.domain.with_sides(sides) else { return Ok(Tried::Excluded) };
-        match degree_decided(&domain, Some(target), EFFORT, Progress::NONE) {
-            Ok(answer) if answer.reached <= target => Ok(Tried::Reached(Box::new(domain))),
-            Ok(answer) if answer.at_least > target => Ok(Tried::Excluded),
+    fn tried(&self, target: u32, by: &[Change]) -> Result<Tried<T>, MeshError> {
+        let mut counts = self.counts.clone();
+        by.iter().for_each(|one| counts[one.side] = counts[one.side].saturating_add_signed(one.by));
+        let Some(after) = self.subject.with_counts(&counts) else { return Ok(Tried::Excluded) };
+        match after.degree(Some(target), EFFORT * self.effort, Progress::NONE) {
+            Ok([_, reached]) if reached <= target => Ok(Tried::Reached(after)),
+            Ok([at_least, _]) if at_least > target => Ok(Tried::Excluded),
             Ok(_) => Ok(Tried::Open),
             Err(MeshError::Cancelled(cancelled)) => Err(cancelled.into()),
             Err(_) => Ok(Tried::Open),
@@ -345,12 +307,11 @@ impl<'a> Tries<'a> {
     fn found(
         &self,
         changes: Vec<Change>,
-        domain: Box<Domain>,
+        after: T,
         at_least: u64,
-    ) -> Result<CountChange, MeshError> {
-        let answer = degree_decided(&domain, None, FINAL_EFFORT, self.progress)?;
-        let is_least = answer.least_max_degree().is_some();
-        let suggestion = Suggestion { changes, max_degree: answer.reached };
-        Ok(CountChange { suggestion, is_least, at_least, domain: *domain })
+    ) -> Result<CountChange<T>, MeshError> {
+        let [proven, reached] = after.degree(None, FINAL_EFFORT * self.effort, self.progress)?;
+        let suggestion = Suggestion { changes, max_degree: reached };
+        Ok(CountChange { suggestion, is_least: proven == reached, at_least, after })
     }
 }

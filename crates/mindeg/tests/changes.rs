@@ -1,9 +1,12 @@
 //! Changes of counts of domains with holes and of polygons that are not convex, compared with all smaller changes.
 
-use mindeg::changes::{CountChange, CountChanges, count_changes};
+use glam::DVec3;
+use mindeg::changes::{CountChange, CountChanges, count_changes, model_count_changes};
 use mindeg::exact::degree;
+use mindeg::model::mesh_model;
 use mindeg::{
-    Constraints, Domain, Intervals, Outline, Progress, Rectangle, Ring, Side, VertexConstraint,
+    Constraints, Domain, Goal, Intervals, Model, ModelFace, ModelParts, Outline, Progress,
+    Rectangle, Ring, Side, VertexConstraint,
 };
 
 fn counts(intervals: &[u64]) -> Vec<Side> {
@@ -14,8 +17,8 @@ fn rectangle([left, bottom, right, top]: [f64; 4], intervals: [u64; 4]) -> Ring 
     Ring::new([(left, bottom), (right, bottom), (right, top), (left, top)], counts(&intervals))
 }
 
-fn found(domain: &Domain, wanted: Option<u32>) -> CountChanges {
-    count_changes(domain, wanted, Progress::NONE).expect("changes are looked for")
+fn found(domain: &Domain, wanted: Option<u32>) -> CountChanges<Domain> {
+    count_changes(domain, wanted, 1.0, Progress::NONE).expect("changes are looked for")
 }
 
 /// Calls `visit` with the domain after every change of this many intervals.
@@ -55,11 +58,12 @@ fn no_smaller_change_than_proven_leads_to_the_degree() {
         Domain::of_rings(plate).unwrap(),
     ] {
         let changes = found(&domain, None);
-        assert_eq!(changes.today, degree(&domain, Progress::NONE).unwrap());
-        assert_eq!(changes.found.is_empty(), changes.today.reached == changes.floor);
-        let mut reached = changes.today.reached;
+        let today = degree(&domain, Progress::NONE).unwrap();
+        assert_eq!((changes.at_least, changes.reached), (today.at_least, today.reached));
+        assert_eq!(changes.found.is_empty(), changes.reached == changes.floor);
+        let mut reached = changes.reached;
         for change in &changes.found {
-            let after = degree(&change.domain, Progress::NONE).unwrap();
+            let after = degree(&change.after, Progress::NONE).unwrap();
             assert_eq!(after.reached, change.suggestion.max_degree);
             assert!(after.reached < reached);
             reached = after.reached;
@@ -70,7 +74,7 @@ fn no_smaller_change_than_proven_leads_to_the_degree() {
                 });
             }
         }
-        let is_proven = |change: &CountChange| change.at_least == change.suggestion.cost();
+        let is_proven = |change: &CountChange<Domain>| change.at_least == change.suggestion.cost();
         assert!(changes.found.first().is_none_or(is_proven), "{:?}", changes.found);
     }
 }
@@ -85,12 +89,12 @@ fn counting_tells_what_no_change_reaches() {
     let outer = rectangle([0.0, 0.0, 7.0, 5.0], [1; 4]);
     let domain = Domain::of_rings(std::iter::once(outer).chain(holes).collect()).unwrap();
     let changes = found(&domain, None);
-    assert_eq!((changes.today.reached, changes.floor), (6, 5));
+    assert_eq!((changes.reached, changes.floor), (6, 5));
     let [change] = changes.found.as_slice() else { panic!("{:?}", changes.found) };
     assert!(change.at_least >= 8 && change.suggestion.cost() >= change.at_least, "{change:?}");
     assert_eq!(change.suggestion.max_degree, 5);
     assert!(found(&domain, Some(6)).found.is_empty());
-    assert_eq!(found(&change.domain, None).open, None);
+    assert_eq!(found(&change.after, None).open, None);
 }
 
 #[test]
@@ -108,7 +112,7 @@ fn points_and_limits_stay_where_they_are() {
         (change.suggestion.max_degree, change.suggestion.cost(), change.at_least),
         (4, 1, 1)
     );
-    let after: Vec<_> = change.domain.placement().points().collect();
+    let after: Vec<_> = change.after.placement().points().collect();
     assert!(domain.placement().points().all(|point| after.contains(&point)), "{after:?}");
     assert_eq!(after.len(), 16);
 
@@ -116,6 +120,48 @@ fn points_and_limits_stay_where_they_are() {
     let constraints = Constraints { vertices: vec![limit], ..Constraints::default() };
     let outline = Outline::Rectangle(Rectangle::new(4.0, 3.0));
     let limited = Domain::builder(outline, counts(&[3, 2, 2, 2])).constraints(constraints);
-    let error = count_changes(&limited.build().unwrap(), None, Progress::NONE).unwrap_err();
+    let error = count_changes(&limited.build().unwrap(), None, 1.0, Progress::NONE).unwrap_err();
     assert!(error.to_string().contains("of single vertices"), "{error}");
+}
+
+/// A tetrahedron; each edge gets as many intervals.
+fn tetrahedron(counts: &[u64]) -> Model {
+    let corners = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z].to_vec();
+    let face =
+        |corners: [u32; 3]| ModelFace { loops: vec![corners.to_vec()], ..ModelFace::default() };
+    let faces = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]].map(face).to_vec();
+    let other_edges = Some(Side::count(1));
+    let parts =
+        ModelParts { corners, faces, edges: Vec::new(), other_edges, planar_tolerance: None };
+    Model::new(parts).and_then(|model| model.with_intervals(counts)).expect("a tetrahedron")
+}
+
+#[test]
+fn no_smaller_change_of_a_model_leads_to_the_degree() {
+    let degrees = |model: &Model| {
+        let mesh = mesh_model(model, Goal::LeastDegree, 1.0, Progress::NONE).unwrap();
+        [mesh.lower_bound, mesh.max_degree]
+    };
+    for counts in [[2, 2, 2, 2, 2, 2], [5, 1, 1, 1, 1, 1], [1, 3, 1, 1, 2, 1]] {
+        let model = tetrahedron(&counts);
+        let changes = model_count_changes(&model, None, 1.0, Progress::NONE).unwrap();
+        let [at_least, mut reached] = degrees(&model);
+        assert_eq!([changes.at_least, changes.reached], [at_least, reached]);
+        assert_eq!(changes.floor, 3);
+        assert!(!changes.found.is_empty());
+        for change in &changes.found {
+            let [_, after] = degrees(&change.after);
+            assert_eq!(after, change.suggestion.max_degree);
+            assert!(after < reached);
+            reached = after;
+            // All changes of one interval.
+            for edge in (0..6).filter(|_| change.at_least > 1) {
+                for count in [counts[edge] - 1, counts[edge] + 1].into_iter().filter(|&n| n > 0) {
+                    let mut smaller = counts;
+                    smaller[edge] = count;
+                    assert!(degrees(&tetrahedron(&smaller))[0] > after, "{change:?}");
+                }
+            }
+        }
+    }
 }

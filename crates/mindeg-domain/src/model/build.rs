@@ -49,7 +49,7 @@ impl Model {
         let used: Vec<u32> = used.into_iter().collect();
         let mut next = used.len() as u64;
         let mut model_edges = Vec::with_capacity(ends.len());
-        for (ends, (law, name)) in ends.iter().zip(laws) {
+        for (ends, (spacing, law, name)) in ends.iter().zip(laws) {
             let first = next;
             next += u64::from(law.intervals()) - 1;
             if next > u64::from(MAX_STORED_VERTICES) {
@@ -58,6 +58,7 @@ impl Model {
             model_edges.push(Edge {
                 corners: *ends,
                 first: first as u32,
+                spacing,
                 law,
                 name,
                 passes: [0; 2],
@@ -107,10 +108,29 @@ impl Model {
     /// # Errors
     ///
     /// A division that does not fit an edge.
-    pub fn divided(mut self, side: &Side) -> Result<Self, DomainError> {
+    pub fn divided(self, side: &Side) -> Result<Self, DomainError> {
+        self.divided_each(|_, _| side.clone())
+    }
+
+    /// The same model with these counts of intervals, one for each edge; edges keep their names and spacings.
+    ///
+    /// # Errors
+    ///
+    /// A count that does not fit an edge, such as another one for an edge whose points are given.
+    ///
+    /// # Panics
+    ///
+    /// If there are fewer counts than edges.
+    pub fn with_intervals(self, counts: &[u64]) -> Result<Self, DomainError> {
+        self.divided_each(|index, edge| Side::count(counts[index]).spaced(edge.spacing.clone()))
+    }
+
+    fn divided_each(mut self, side: impl Fn(usize, &Edge) -> Side) -> Result<Self, DomainError> {
         let mut next = self.used.len() as u64;
-        for edge in &mut self.edges {
-            edge.law = law(&self.corners, edge.corners, side, &Place::key("size"))?;
+        for (index, edge) in self.edges.iter_mut().enumerate() {
+            let side = side(index, edge);
+            edge.law = law(&self.corners, edge.corners, &side, &Place::key("size"))?;
+            edge.spacing = side.spacing;
             edge.first = next as u32;
             next += u64::from(edge.law.intervals()) - 1;
             if next > u64::from(MAX_STORED_VERTICES) {
@@ -219,9 +239,9 @@ fn passes(corners: &[u32], ends: &[[u32; 2]], edges: &mut [Edge]) -> Vec<Pass> {
     corners.iter().enumerate().map(pass).collect()
 }
 
-type Division = (SpacingLaw, Option<String>);
+type Division = (Spacing, SpacingLaw, Option<String>);
 
-/// The spacing law and name of every edge, from its lower corner on.
+/// The spacing, its law and the name of every edge, from its lower corner on.
 fn laws(
     corners: &[DVec3],
     ends: &[[u32; 2]],
@@ -266,7 +286,7 @@ fn laws(
             ))
         })?;
         let law = law(corners, corners_of, side, &place)?;
-        Ok((law, side.name.clone().filter(|_| own.is_some())))
+        Ok((side.spacing.clone(), law, side.name.clone().filter(|_| own.is_some())))
     };
     ends.iter().enumerate().map(law).collect()
 }

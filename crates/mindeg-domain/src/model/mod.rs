@@ -27,6 +27,7 @@ use glam::DVec3;
 use mindeg_mesh::Material;
 
 use crate::side::Side;
+use crate::spacing::Spacing;
 use crate::spacing_law::SpacingLaw;
 
 /// A face as given: its loops of corners, and its names.
@@ -122,6 +123,8 @@ struct Edge {
     corners: [u32; 2],
     /// The vertex of the first interior point.
     first: u32,
+    /// From the lower corner on.
+    spacing: Spacing,
     law: SpacingLaw,
     name: Option<String>,
     /// The number of faces that pass the edge upwards (lower to higher corner), and downwards.
@@ -241,6 +244,25 @@ impl Model {
     /// If the model has no such edge.
     pub fn intervals(&self, edge: usize) -> u32 {
         self.edges[edge].law.intervals()
+    }
+
+    /// The length of an edge.
+    ///
+    /// # Panics
+    ///
+    /// If the model has no such edge.
+    pub fn edge_length(&self, edge: usize) -> f64 {
+        let [low, high] = self.edges[edge].corners.map(|corner| self.corners[corner as usize]);
+        low.distance(high)
+    }
+
+    /// Whether the points of an edge are given, so that it keeps them.
+    ///
+    /// # Panics
+    ///
+    /// If the model has no such edge.
+    pub fn has_own_points(&self, edge: usize) -> bool {
+        matches!(self.edges[edge].spacing, Spacing::Parameters(_))
     }
 
     /// The number of faces at an edge; a face that passes it twice counts twice.

@@ -1,53 +1,15 @@
-//! All changes of one size, and what counting excludes among them.
+//! All changes of one size that counting does not exclude.
 
 use std::cmp::Reverse;
 
 use mindeg_core::Change;
 
-use super::Tries;
-use super::side::own_points;
+use super::{Divided, Tries};
 
 /// The most changes of one size that are looked at before they are tried.
 const MOST_LISTED: usize = 100_000;
 
-impl Tries<'_> {
-    /// The size that a change to `target` has at least: two rings of as many vertices for degree 4, and enough
-    /// vertices for the sum of the degrees.
-    pub(super) fn least_size(&self, target: u32) -> u64 {
-        if self.domain.is_map() {
-            return 0;
-        }
-        let rings = self.domain.rings();
-        let vertices = u64::from(rings.vertex_count());
-        match (rings.ring_count() as u64, target) {
-            (2, 4) => {
-                rings.rings().map(|ring| ring.len() as u64).reduce(u64::abs_diff).unwrap_or(0)
-            }
-            (ring_count @ 3.., 5..) => {
-                (6 * (ring_count - 2)).div_ceil(u64::from(target) - 4).saturating_sub(vertices)
-            }
-            _ => 0,
-        }
-    }
-
-    /// Whether counting excludes `target` after a change.
-    pub(super) fn is_excluded(&self, target: u32, by: &[Change]) -> bool {
-        let rings = self.domain.rings();
-        let vertices = |ring: usize| {
-            let own = by.iter().filter(|change| rings.ring_sides(ring).contains(&change.side));
-            rings.ring(ring).len() as i64 + own.map(|change| change.by).sum::<i64>()
-        };
-        match (rings.ring_count(), target) {
-            _ if self.domain.is_map() => false,
-            (2, 4) => vertices(0) != vertices(1),
-            (count @ 3.., 5..) => {
-                let all: i64 = (0..count).map(vertices).sum();
-                (i64::from(target) - 4) * all < 6 * (count as i64 - 2)
-            }
-            _ => false,
-        }
-    }
-
+impl<T: Divided> Tries<'_, T> {
     /// All changes of this many intervals that counting does not exclude; none if they are too many.
     pub(super) fn changes(&self, target: u32, size: u64) -> Option<Vec<Vec<Change>>> {
         let (mut all, mut listed) = (Vec::new(), 0);
@@ -77,7 +39,7 @@ impl Tries<'_> {
         all: &mut Vec<Vec<Change>>,
     ) {
         if left == 0 {
-            if !self.is_excluded(target, change) {
+            if !self.subject.is_excluded(target, change) {
                 all.push(change.clone());
             }
             return;
@@ -87,8 +49,11 @@ impl Tries<'_> {
                 return;
             }
             *listed += 1;
-            let keeps = own_points(&self.domain.sides()[side]).is_some_and(|own| !own.is_empty());
-            let removable = if keeps { 0 } else { left.min(self.counts[side] as i64 - 1) };
+            let removable = if self.subject.keeps_points(side) {
+                0
+            } else {
+                left.min(self.counts[side] as i64 - 1)
+            };
             for by in (-removable..=left).filter(|&by| by != 0) {
                 change.push(Change { side, by });
                 self.list(target, left - by.abs(), side + 1, change, listed, all);
