@@ -114,7 +114,7 @@ def _holds(outer, plane, ring):
 
 
 class Patch:
-    """What one polygon or loop is filled with."""
+    """The triangles of one polygon or loop."""
 
     def __init__(self, names, rings):
         #: The vertices of the rings by the names that the caller knows, one ring after the other.

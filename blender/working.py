@@ -46,7 +46,7 @@ class Work:
         return not self._thread.is_alive()
 
     def result(self):
-        """What the task gave. Raises what it raised."""
+        """The result of the task. Raises what it raised."""
         if self._fault is not None:
             raise self._fault
         return self._result

@@ -11,7 +11,7 @@ use mindeg_answers::advice::Purpose;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct GoalArguments {
     given: Vec<Goal>,
-    /// What the mesh is for, if that is told in place of a goal.
+    /// The purpose of the mesh, if that is told in place of a goal.
     pub(crate) purpose: Option<Purpose>,
 }
 

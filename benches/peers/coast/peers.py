@@ -205,7 +205,7 @@ PEERS = {
     "OCSMesh, Gmsh `adapt`": (ocsmesh("gmsh", bnd_representation="adapt"), True),
     "OCSMesh, Triangle `pq30Y`": (ocsmesh("triangle", opts="q30Y"), False),
 }
-# What docs/coast.md shows.
+# The rows of docs/coast.md.
 SHORT = ["mindeg", "Triangle `pq30Y`", "Triangle `pq30`", "Gmsh", "Gmsh, 10 smoothings", "OCSMesh, Gmsh `exact`", "OCSMesh, Gmsh `adapt`"]
 HEAD = [
     "| program | triangles | inside without 5 to 7 edges | greatest degree | minimum angle | first percentile | mean eta "

@@ -246,7 +246,7 @@ impl Advice {
         }
     }
 
-    /// What to name: the purpose that was told, or else the first two.
+    /// The purposes to name: the one that was told, or else the first two.
     #[must_use]
     pub fn purposes(&self, told: Option<Purpose>) -> Vec<Purpose> {
         match (told, self.first) {

@@ -38,7 +38,7 @@ pub struct RemeshAnswer {
     curves_from_part: Option<Distance>,
     crossings: usize,
     part_crossings: usize,
-    /// What was mended first, or null.
+    /// The repairs before the work, or null.
     repairs: Option<Repairs>,
     dropped: Vec<&'static str>,
     /// Why the mesh may not take the place of the part.

@@ -65,7 +65,7 @@ impl From<&ProvenDegree> for ProvenVertex {
 pub struct Distance {
     /// The distance of the point at `position`.
     pub at_least: f64,
-    /// What no point exceeds; null if there is nothing to measure to.
+    /// No point is farther; null if there is nothing to measure to.
     pub at_most: Option<f64>,
     /// A point that is `at_least` off.
     pub position: [f64; 3],

@@ -34,7 +34,7 @@ pub struct CompareOptions {
     /// Whether the mesh with points inside is compared with a refinement, too, and made on domains of any size; not unless
     /// told otherwise.
     pub interior: bool,
-    /// What the mesh is for, if that is known.
+    /// The purpose of the mesh, if that is known.
     pub purpose: Option<Purpose>,
 }
 

@@ -65,7 +65,7 @@ pub struct Report {
     pub provenance: Provenance,
     /// The domain that was triangulated.
     pub domain: DomainFigures,
-    /// What the mesh is for, if that was told.
+    /// The purpose of the mesh, if that was told.
     pub purpose: Option<Purpose>,
     /// Which mesh to take; its figures are null on a domain that is too large to make them all.
     pub advice: Advice,

@@ -73,7 +73,7 @@ pub enum ChangeKind {
     InletClosed,
     /// A narrow place between two wider ones was closed; holes may have joined other rings.
     StraitClosed,
-    /// What a closed strait cut off was dropped.
+    /// Water that a closed strait cut off was dropped.
     BasinDropped,
     /// A narrow tongue of what is outside was cut off.
     SpitCut,

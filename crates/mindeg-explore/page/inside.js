@@ -1,4 +1,4 @@
-// What is inside a domain: holes, lines, points and regions, with their names and sizes.
+// Holes, lines, points and regions of a domain, with their names and sizes.
 // From the viewer's script: make.
 
 import { apply } from "./asking.js";

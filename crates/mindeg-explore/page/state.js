@@ -1,7 +1,7 @@
-// What the reader has chosen, what can be undone, and what the server said last.
+// The reader's choices, the steps that can be undone, and the last answer of the server.
 
 /**
- * What a page begins with: the mesh that a reader should probably take, with points inside, beside the one of the goal.
+ * The beginning of a page: the mesh that a reader should probably take, with points inside, beside the one of the goal.
  * `view` is what is looked at first and taken: `interior`, or `wanted` for the goal; `isTold` whether the reader
  * has said what the mesh is for.
  */

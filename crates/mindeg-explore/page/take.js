@@ -1,4 +1,4 @@
-// What a reader leaves with: the file of a mesh, the domain, the command line.
+// The things to take away: the file of a mesh, the domain, the command line.
 
 import { ask, request } from "./asking.js";
 import * as server from "./server.js";

@@ -72,7 +72,7 @@ pub fn answer(
 ///
 /// # Errors
 ///
-/// What is wrong, in a sentence, and the key of the domain where it is.
+/// The request and its domain; or the fault, in a sentence, and the key of the domain where it is.
 pub(crate) fn understood(body: &[u8]) -> Result<(Request, Domain), (String, Option<String>)> {
     let request: Request = serde_json::from_slice(body)
         .map_err(|error| format!("the request is not what the page sends: {error}"))

@@ -120,7 +120,7 @@ pub struct Facts {
     pub max_vertices: u32,
     /// The most bytes of a body.
     pub max_bytes: usize,
-    /// What the mesh is for, if the command line tells.
+    /// The purpose of the mesh, if the command line tells it.
     pub purpose: Option<Purpose>,
 }
 

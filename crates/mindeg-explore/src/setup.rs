@@ -1,4 +1,4 @@
-//! What a server starts with.
+//! The domains and options that a server starts with.
 
 use mindeg_answers::advice::Purpose;
 

@@ -23,7 +23,7 @@ pub(crate) struct Sources {
     pub(crate) growth_from_edges: f64,
 }
 
-/// What bounds and makes the size at a place.
+/// The bound of the size at a place, and the mean that makes it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct AtPlace {
     /// The least of size + growth * distance.
@@ -56,7 +56,7 @@ struct Cell {
     children: u32,
     /// In the list of runs, what is near lies between the first two, and what may bound sizes between the last two.
     ends: [u32; 3],
-    /// What is far, at the corners.
+    /// The sources far away, as seen at the corners.
     far: [Seen; 4],
     /// The bound at the middle.
     grown: f64,
@@ -141,7 +141,7 @@ impl Cells {
         Self { cells: vec![cell], runs, middle, half }
     }
 
-    /// What bounds and makes the size at a place; nothing outside all cells.
+    /// The bound and the mean of sizes at a place; nothing outside all cells.
     pub(crate) fn at(&mut self, sources: &Sources, x: DVec2) -> Option<AtPlace> {
         let (mut at, mut middle, mut half) = (0, self.middle, self.half);
         let is_inside = (x - middle).abs().max_element() <= half;

@@ -58,7 +58,7 @@ const SEEDS: [Seed; 5] = [
     Seed { growth: 0.8, spacing: 0.7, pairs: true, trials: 0.3 },
 ];
 
-/// What a try begins with: another one with the same would end at the same mesh.
+/// The choices at the beginning of a try: another one with the same would end at the same mesh.
 #[derive(PartialEq)]
 struct Begun {
     prefer: Prefer,

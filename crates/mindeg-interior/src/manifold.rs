@@ -1,4 +1,4 @@
-//! What the optimiser asks of the space that a mesh lies in. It is the same in the plane and on a surface.
+//! The questions of the optimiser to the space that a mesh lies in; the same in the plane and on a surface.
 
 use crate::array_mesh::ArrayMesh;
 use crate::goal::Weights;
@@ -18,11 +18,11 @@ pub(crate) struct Slope {
     pub(crate) of_doubled: DVec2,
 }
 
-/// What differs between a plane and a surface.
+/// The plane, or a surface, as the optimiser asks it.
 pub(crate) trait Manifold: Space {
     /// The plane in which a vertex moves.
     type Frame: Copy + Debug;
-    /// What an operation must not make worse, as it was before.
+    /// The state that an operation must not make worse.
     type Survey;
 
     /// The middle of an edge whose label is given.
@@ -47,7 +47,7 @@ pub(crate) trait Manifold: Space {
     /// An error if a triangle of the mesh is turned over or has no area.
     fn check(mesh: &ArrayMesh<Self>, triangle: u32) -> Result<(), String>;
 
-    /// What a triangle costs beyond its shape and size.
+    /// The cost of a triangle beyond its shape and size.
     fn bend(mesh: &ArrayMesh<Self>, triangle: u32) -> f64;
 
     /// By how much a vertex's degree is out of its range, and how far it is from the best one.
@@ -81,7 +81,7 @@ pub(crate) trait Manifold: Space {
     /// True if a vertex with these triangles may move to a site, whatever that does to shapes.
     fn may_move(mesh: &ArrayMesh<Self>, vertex: u32, triangles: &[u32], to: &Self::Site) -> bool;
 
-    /// What the triangles at these vertices keep; `None` if that need not be looked at. `moves`: only a vertex moves.
+    /// The state that the triangles at these vertices keep; `None` if that need not be looked at. `moves`: only a vertex moves.
     fn survey(mesh: &ArrayMesh<Self>, vertices: &[u32], moves: bool) -> Option<Self::Survey>;
 
     /// True if the mesh keeps it at these vertices.

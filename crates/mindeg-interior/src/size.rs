@@ -29,7 +29,7 @@ pub(crate) struct SizeField {
     coarser: f64,
     /// Whether sizes grow more slowly from edges that stay than `growth`, but beside longer ones.
     is_gentle: bool,
-    /// What is known from the places seen so far; none if few edges turn.
+    /// The answers for the places seen so far; none if few edges turn.
     cells: Option<RefCell<Cells>>,
 }
 

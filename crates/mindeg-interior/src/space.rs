@@ -1,4 +1,4 @@
-//! What a mesh lies in: the plane, or a surface in space.
+//! The space that a mesh lies in: the plane, or a surface.
 
 use glam::{DVec2, DVec3};
 use std::fmt::Debug;
@@ -71,13 +71,13 @@ impl Vector for DVec3 {
     }
 }
 
-/// What the vertices, edges and triangles of a mesh know of where they lie.
+/// The place of vertices, edges and triangles of a mesh, as each knows it.
 pub(crate) trait Space: Copy + Debug + PartialEq {
     /// A position.
     type Vector: Vector;
     /// A position with what the space knows of it.
     type Site: Copy + Debug + PartialEq;
-    /// What an edge that stays is a part of; the default on other edges.
+    /// The line or curve that an edge that stays is a part of; the default on other edges.
     type Label: Copy + Debug + PartialEq + Default;
     /// The part of the space that a triangle lies in, between edges that stay.
     type Patch: Copy + Debug + PartialEq + Default;

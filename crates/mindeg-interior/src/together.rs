@@ -34,7 +34,7 @@ type Least = Vec<[u32; 2]>;
 /// A sector: its vertex, and the index there.
 type Name = (u32, usize);
 
-/// What is known of the vertices that stay.
+/// The facts about the vertices that stay.
 pub(crate) struct Together<'a> {
     stars: &'a Stars,
     /// The angle in degrees that all triangles at each vertex have, and the share of it that is asked for.
@@ -43,7 +43,7 @@ pub(crate) struct Together<'a> {
     /// The numbers of triangles that vertices have, and those that they may have.
     counts: &'a [u32],
     limits: &'a [u32],
-    /// What was found for the edge from each sector to the next one, and for the edge that cuts a sector off.
+    /// The least found for the edge from each sector to the next one, and for the edge that cuts a sector off.
     pairs: BTreeMap<Name, Least>,
     ears: BTreeMap<Name, Least>,
 }

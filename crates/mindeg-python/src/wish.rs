@@ -67,7 +67,7 @@ impl Wish<'_> {
         read_goal(&self.goal)
     }
 
-    /// What is wanted of points inside, in place of what a domain itself wants, and the points that the mesh must have.
+    /// The wish for points inside, in place of the domain's own, and the points that the mesh must have.
     pub(crate) fn wanted(&self, base: &Interior) -> PyResult<(Interior, Vec<InnerPoint>)> {
         interior::wanted(&self.options, base)
     }

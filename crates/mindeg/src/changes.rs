@@ -69,7 +69,7 @@ pub struct CountChange<T> {
     pub after: T,
 }
 
-/// What has sides with counts of intervals, which can be others.
+/// A domain or a model: its sides have counts of intervals, which can be others.
 trait Divided: Clone + Send + Sync {
     /// The intervals of each side.
     fn counts(&self) -> Vec<u64>;

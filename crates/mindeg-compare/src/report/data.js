@@ -38,7 +38,7 @@ const SLOW = 30;
 
 const element = (id) => document.getElementById(id);
 
-// What all pictures share: where they look, and what they show.
+// The state that all pictures share: where they look, and what they show.
 const view = { x: 0, y: 0, zoom: 1, stretch: wantsStretch(size, document.querySelector(".meshes")?.clientWidth ?? 0) };
 let measure = data.metrics[0];
 let cursor = null;

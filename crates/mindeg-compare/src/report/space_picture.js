@@ -12,7 +12,7 @@ class SpacePicture {
       },
       hasDots: () => element("dots").checked,
     });
-    // What the page colors.
+    // The measure that the page colors.
     this.painter = this.space;
     this.space.color(measure);
     for (const button of stage.parentElement.querySelectorAll("[data-jump]")) {

@@ -5,7 +5,7 @@ use super::plane::Plane;
 use crate::chains::NONE;
 use std::collections::BTreeSet;
 
-/// What begins behind less than this share of a mouth is another pocket, and makes this one no deeper.
+/// A part behind less than this share of a mouth is another pocket, and makes this one no deeper.
 const THROAT: f64 = 0.5;
 
 /// Whether the part of a run behind a side of one of its triangles, on the triangle's side, is deeper than that side is long.

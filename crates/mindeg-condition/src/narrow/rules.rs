@@ -3,7 +3,7 @@
 use crate::demands::Hold;
 use glam::DVec2;
 
-/// What the rules ask of the old boundary, by its edges.
+/// The rules for the old boundary, by its edges.
 pub(crate) struct Rules<'a> {
     pub(crate) width: f64,
     pub(crate) hold: &'a dyn Fn(u32) -> Hold,

@@ -13,7 +13,7 @@ use glam::DVec2;
 /// So often runs that may not change are left out, and the rest is looked at anew.
 const TRIES: usize = 1000;
 
-/// What changes sides.
+/// The triangles that change sides.
 pub(super) struct Turned {
     pub(super) is_turned: Vec<bool>,
     pub(super) changes: Vec<BoundaryChange>,
@@ -28,7 +28,7 @@ struct Run {
     /// Where it is narrowest, and how narrow.
     at: DVec2,
     width: f64,
-    /// What is to be done with it, or why it stays; none for what is no deeper than wide.
+    /// The change of it, or why it stays; none if it is no deeper than wide.
     plan: Option<Result<ChangeKind, NarrowReason>>,
 }
 
@@ -68,7 +68,7 @@ struct Runs<'p> {
     of: Vec<u32>,
     /// The run by which each triangle changes sides.
     owner: Vec<u32>,
-    /// What was cut off with a strait: a place within.
+    /// A place within each part that was cut off with a strait.
     basins: Vec<DVec2>,
     /// The straits whose basins have a point that stays in the domain.
     marked: Vec<u32>,
@@ -298,7 +298,7 @@ fn run(plane: &Plane<'_>, triangles: Vec<u32>, of: &[u32]) -> Run {
     Run { triangles, mouths, at, width, plan: None }
 }
 
-/// What is to be done with a run.
+/// The change of a run, or why it stays.
 fn plan(
     plane: &Plane<'_>,
     run: &Run,
@@ -309,7 +309,7 @@ fn plan(
     let planned = match (&run.mouths[..], kind) {
         ([], _) => return Some(Err(NarrowReason::Everywhere)),
         (&[(triangle, side)], _) => {
-            // What is no deeper than wide is a bay, or a cape.
+            // A run no deeper than wide is a bay, or a cape.
             if !is_deep(plane, triangle, side, of) {
                 return None;
             }

@@ -1,4 +1,4 @@
-//! What keeps the mesh near the surface, and the surface near the mesh: no operation and no move makes either worse.
+//! The guard of the distances between mesh and surface, both ways: no operation and no move makes either worse.
 
 use crate::array_mesh::{ArrayMesh, Kind};
 use crate::surface::reference::{OnSurface, Reference, Witness};
@@ -13,7 +13,7 @@ const FACES: f64 = 0.1;
 const BENDS_FOR_MOVES: [f64; 2] = [0.6, 0.4];
 const BENDS_FOR_OPERATIONS: [f64; 2] = [0.9, 0.25];
 
-/// What is so before a change.
+/// The state before a change.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Survey {
     /// How many triangles are farther than the tolerance from their patch, or do not face it.

@@ -97,7 +97,7 @@ fn edges(mesh: &SurfaceMesh<'_>, counts: impl Fn(f64) -> bool) -> Vec<Edge> {
 }
 
 fn is_there(mesh: &SurfaceMesh<'_>, edge: &Edge) -> bool {
-    // What changes gets another index.
+    // A changed triangle gets another index.
     mesh.triangles[edge.triangle as usize].is_alive()
 }
 

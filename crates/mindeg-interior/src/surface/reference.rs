@@ -169,7 +169,7 @@ impl PartialEq for OnSurface<'_> {
     }
 }
 
-/// What an edge is a part of: a curve, or nothing.
+/// The curve that an edge is a part of, or none.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct CurveLabel(pub(crate) u32);
 

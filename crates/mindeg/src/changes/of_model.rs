@@ -48,7 +48,7 @@ fn sum(model: &Model) -> i64 {
     edges + 2 * (0..model.face_count()).map(chords).sum::<i64>()
 }
 
-/// What one interval more on an edge adds to the sum of all degrees: an edge, and a chord in each face there.
+/// The sum of all degrees grows by this with one interval more on an edge: an edge, and a chord in each face there.
 fn growth(model: &Model, edge: usize) -> i64 {
     2 + 2 * i64::from(model.faces_at(edge))
 }

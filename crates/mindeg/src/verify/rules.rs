@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-/// What a mesh must keep of a part.
+/// The rules that a mesh keeps of a part.
 ///
 /// # Example
 ///

@@ -111,7 +111,7 @@ class Painter {
           context.moveTo(screen[2 * a], screen[2 * a + 1]);
           context.lineTo(screen[2 * b], screen[2 * b + 1]);
           context.lineTo(screen[2 * c], screen[2 * c + 1]);
-          // What covers next to nothing of a pixel would leave little but rounding there.
+          // A triangle that covers next to nothing of a pixel would leave little but rounding there.
           if (height < 0.3) context.stroke();
           else context.fill();
         }

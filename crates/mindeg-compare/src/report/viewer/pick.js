@@ -1,4 +1,4 @@
-// What is at a place of a scene, in words and marked.
+// The vertex, edge or triangle at a place of a scene, in words and marked.
 
 /** The vertex near a place, or else the triangle around it. */
 function pick({ points, triangles }, frame, x, y) {

@@ -1,6 +1,6 @@
 "use strict";
 
-// What is drawn, where a picture looks, and the colors. Nothing here or in paint.js and pick.js needs a
+// The scene, where a picture looks, and the colors. Nothing here or in paint.js and pick.js needs a
 // document, so that a worker can draw, too.
 //
 // A scene is one mesh: `points` (x and y of each vertex), `triangles` (three vertices each), `degrees`,
