@@ -24,7 +24,6 @@ pub(crate) fn run(arguments: &ConditionArguments) -> Result<(), Failure> {
     let size = arguments.size;
     refuse_degrees(&subject, &arguments.change, size)?;
     let Parts { name: of_all, domains } = subject.parts()?;
-    let (domains, _) = arguments.kinds.told(&domains)?;
     let preset = arguments.preset;
     let wanted = preset.map(|preset| preset.asked_of(Interior::default())).unwrap_or_default();
     let least = wanted.least_triangles();
@@ -34,6 +33,8 @@ pub(crate) fn run(arguments: &ConditionArguments) -> Result<(), Failure> {
     });
     let (new, conditioned) = found.map_err(|(_, error)| Failure::input(error))?;
     drop(bar);
+    // The coast changes as without open water, as in `mesh`: names that this gives hold no point.
+    let (new, _) = arguments.kinds.told(&new)?;
     let answer = ConditionAnswer::of(&domains, &new, &conditioned);
     let domain_file = match (&arguments.output, &new[..]) {
         (None, _) => None,
@@ -50,7 +51,8 @@ pub(crate) fn run(arguments: &ConditionArguments) -> Result<(), Failure> {
         [domain] => name(domain),
         _ => shown(of_all.as_deref().unwrap_or(UNNAMED)),
     };
-    let drawn = |path| Ok::<_, Failure>((drawn(&answer, &title, [&domains, &new], path)?, path));
+    let drawn =
+        |path| Ok::<_, Failure>((drawn(&answer, &title, [&domains[..], &new], path)?, path));
     let changes_file = arguments.change.changes.as_deref().map(drawn).transpose()?;
     let files: Vec<_> = changes_file.into_iter().chain(domain_file).collect();
     describe::write_texts(&files)?;

@@ -4,7 +4,7 @@
 //! place; these stay.
 
 use crate::changes::{BoundaryChange, ChangeKind, Point, Why};
-use crate::demands::Hold;
+use crate::demands::{BoundaryDemands, Hold};
 use crate::grid::Grid;
 use glam::DVec2;
 use mindeg_mesh::planar::PlanarBoundary;
@@ -25,6 +25,8 @@ pub(crate) struct Vertex {
     pub(crate) is_alive: bool,
     /// Whether the domain is on the left and on the right of the edge from here to the next point.
     pub(crate) has_domain: [bool; 2],
+    /// Whether that edge is of a side that stays straight.
+    pub(crate) is_straight: bool,
     /// The dropped points that this edge stands for, in order.
     pub(crate) dropped: Vec<DVec2>,
     /// How far a point that was put on an edge was from the old boundary then, at most.
@@ -55,11 +57,12 @@ pub(crate) struct Chains {
 }
 
 impl Chains {
-    /// The chains of a boundary. `hold` and `has_domain` tell of edges, and of their first vertices.
+    /// The chains of a boundary. `hold`, `has_domain` and `is_straight` tell of edges, and of their first vertices.
     pub(crate) fn new(
         boundary: &PlanarBoundary,
         hold: impl Fn(u32) -> Hold,
         has_domain: impl Fn(u32) -> [bool; 2],
+        is_straight: impl Fn(u32) -> bool,
         marks: &[DVec2],
         least_triangles: u32,
     ) -> Self {
@@ -75,6 +78,7 @@ impl Chains {
                 hold: if next == NONE { Hold::Point } else { hold(edge) },
                 is_alive: true,
                 has_domain: if next == NONE { [false; 2] } else { has_domain(edge) },
+                is_straight: next != NONE && is_straight(edge),
                 dropped: Vec::new(),
                 off: 0.0,
                 home: None,
@@ -220,12 +224,10 @@ impl Chains {
         self.at(vertex).distance(self.at(self.next(vertex)))
     }
 
-    /// Whether an edge is shorter than a share of the median.
-    pub(crate) fn has_shorter(&self, share: f64) -> bool {
-        let mut lengths: Vec<f64> = self.edges().map(|edge| self.length(edge)).collect();
-        lengths.sort_by(f64::total_cmp);
-        let median = lengths.get(lengths.len() / 2).copied();
-        lengths.first().copied() < median.map(|median| share * median)
+    /// Whether an edge is short beside the size.
+    pub(crate) fn has_short(&self, demands: &BoundaryDemands) -> bool {
+        let short = demands.short().unwrap_or(0.0);
+        self.edges().any(|edge| self.length(edge) < short)
     }
 
     /// The chains that are left, each from its first point that is there.
@@ -339,7 +341,7 @@ impl Chains {
         let until = own.dropped.iter().position(|point| share_along(*point, ends) > share);
         let dropped = own.dropped.split_off(until.unwrap_or(own.dropped.len()));
         let point = Point { at, of: None, edge: own.point.edge };
-        let (chain, has_domain) = (own.chain, own.has_domain);
+        let (chain, has_domain, is_straight) = (own.chain, own.has_domain, own.is_straight);
         own.next = new;
         self.vertices.push(Vertex {
             point,
@@ -350,6 +352,7 @@ impl Chains {
             hold: Hold::Free,
             is_alive: true,
             has_domain,
+            is_straight,
             dropped,
             off,
             home: None,

@@ -5,11 +5,16 @@ use crate::error::ConditionError;
 /// The least growth: below it, edges beside one that was halved would have to be halved, too, and so on.
 pub const LEAST_GROWTH: f64 = 0.35;
 
+/// An edge below this share of the size is short: shores may move apart by four times as much, so hardly any has to stay.
+const SHORT: f64 = 1.0 / 16.0;
+
 /// The changes that a vertex of a boundary may undergo.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Hold {
-    /// Everything.
+    /// Everything; on a straight side, all that leaves it straight.
     Free,
+    /// It ends a straight side: dropped, it leaves the end to the next vertex of that side.
+    End,
     /// It is not dropped, but cut off where it is too sharp: a corner where something else begins.
     Corner,
     /// Its point stays.
@@ -56,6 +61,11 @@ impl BoundaryDemands {
     #[must_use]
     pub fn of_size(size: f64) -> Self {
         Self { size: Some(size), within: size / 8.0, growth: 0.4, ..Self::default() }
+    }
+
+    /// The length below which an edge is short beside the size.
+    pub(crate) fn short(&self) -> Option<f64> {
+        self.size.map(|size| SHORT * size)
     }
 
     pub(crate) fn check(&self) -> Result<(), ConditionError> {

@@ -3,6 +3,7 @@
 use crate::chains::{Chains, NONE, farthest};
 use crate::changes::{BoundaryChange, ChangeKind, Point, Why};
 use crate::demands::{BoundaryDemands, Hold};
+use glam::DVec2;
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, VecDeque};
 
@@ -55,10 +56,44 @@ impl Chains {
         }
     }
 
+    /// Drops ends of edges that are short beside the size, the shortest first, where the angles at their neighbours allow it: what
+    /// these have of uneven edges then, points on edges mend.
+    pub(crate) fn join_short(&mut self, demands: &BoundaryDemands) {
+        let Some(short) = demands.short().filter(|_| demands.within > 0.0) else { return };
+        let entry = |chains: &Self, edge: u32| {
+            let length = chains.length(edge);
+            (length < short).then_some(Reverse((length.to_bits(), edge)))
+        };
+        let mut heap: BinaryHeap<_> = self.edges().filter_map(|edge| entry(self, edge)).collect();
+        while let Some(top @ Reverse((_, edge))) = heap.pop() {
+            if !self.is_edge(edge) || entry(self, edge) != Some(top) {
+                continue;
+            }
+            let ends = [edge, self.next(edge)];
+            let moves = ends
+                .into_iter()
+                .filter_map(|v| Some((self.drop_distance_of(v, demands, true)?, v)));
+            if let Some((_, dropped)) = moves.min_by(|a, b| a.0.total_cmp(&b.0)) {
+                let [before, _] = self.drop(dropped, Why::Size);
+                heap.extend(entry(self, before));
+            }
+        }
+    }
+
     /// How far the boundary moves if a vertex is dropped; none if it may not be.
     pub(crate) fn drop_distance(&self, vertex: u32, demands: &BoundaryDemands) -> Option<f64> {
+        self.drop_distance_of(vertex, demands, false)
+    }
+
+    /// [`drop_distance`](Self::drop_distance), or that of a vertex of a short edge.
+    fn drop_distance_of(
+        &self,
+        vertex: u32,
+        demands: &BoundaryDemands,
+        is_short: bool,
+    ) -> Option<f64> {
         let own = &self.vertices[vertex as usize];
-        if own.hold > Hold::Free {
+        if own.hold > Hold::End || own.previous == NONE || own.next == NONE {
             return None;
         }
         let (u, v, w) = (own.previous, vertex, own.next);
@@ -68,7 +103,11 @@ impl Chains {
         if distance > demands.within {
             return None;
         }
-        let new = self.limit_with(u, v, ends[1]).min(self.limit_with(w, v, ends[0]));
+        let limit = |chain: &Self, of: u32, to: DVec2| match is_short {
+            true => chain.limit_of_angles_with(of, v, to),
+            false => chain.limit_with(of, v, to),
+        };
+        let new = limit(self, u, ends[1]).min(limit(self, w, ends[0]));
         let old = [u, v, w].map(|v| self.limit(v)).into_iter().fold(demands.angle, f64::min);
         let is_better = new >= demands.angle || new > old;
         let places = [u, v, w].map(|v| self.place(v));
@@ -83,6 +122,8 @@ impl Chains {
 
     /// Drops a vertex. Returns its neighbours.
     pub(crate) fn drop(&mut self, vertex: u32, why: Why) -> [u32; 2] {
+        // Across the end of a straight side the edge is of the other one.
+        self.leave_straight(self.previous(vertex), vertex);
         let own = &mut self.vertices[vertex as usize];
         own.is_alive = false;
         let (u, w, Point { at, edge, .. }) = (own.previous, own.next, own.point);

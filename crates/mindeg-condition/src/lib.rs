@@ -35,6 +35,7 @@ mod inlets;
 mod narrow;
 mod opening;
 mod stars;
+mod straight;
 mod tips;
 
 pub use changes::{BoundaryChange, ChangeKind, Left, Narrow, NarrowReason, Point, Reason, Why};
@@ -47,10 +48,9 @@ use glam::DVec2;
 use mindeg_mesh::planar::PlanarBoundary;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A boundary that has all that is demanded stays as it is, unless it would have less than this share of its points,
+/// A boundary that has all that is demanded stays as it is, unless it would have less than this share of its points, or lose its last
+/// short edge.
 const WORTH_POINTS: f64 = 0.9;
-/// or had an edge shorter than this share of half of all, and none after.
-const SHORT: f64 = 0.2;
 
 /// A conditioned boundary.
 #[derive(Debug, Clone, PartialEq)]
@@ -93,11 +93,12 @@ pub fn condition(
     hold: impl Fn(u32) -> Hold,
 ) -> Result<Conditioned, ConditionError> {
     let on_rings = boundary.vertex_count();
-    condition_map(boundary, demands, hold, |edge| [true, edge >= on_rings], &[])
+    condition_map(boundary, demands, hold, |edge| [true, edge >= on_rings], |_| false, &[])
 }
 
 /// [`condition`] where not all faces are meshed: `has_domain` tells of each edge whether one that is lies on its left, and on its
-/// right. No change takes one of `marks` to the other side of an edge.
+/// right; `is_straight` whether it is of a side that stays straight, such as those of a box. No change takes one of `marks` to the
+/// other side of an edge.
 ///
 /// # Errors
 ///
@@ -107,21 +108,23 @@ pub fn condition_map(
     demands: &BoundaryDemands,
     hold: impl Fn(u32) -> Hold,
     has_domain: impl Fn(u32) -> [bool; 2],
+    is_straight: impl Fn(u32) -> bool,
     marks: &[DVec2],
 ) -> Result<Conditioned, ConditionError> {
     demands.check()?;
     if demands.narrowest == 0.0 {
-        return of_wide(boundary, demands, hold, has_domain, marks);
+        return of_wide(boundary, demands, hold, has_domain, is_straight, marks);
     }
     let rules =
         narrow::Rules { width: demands.narrowest, hold: &hold, has_domain: &has_domain, marks };
     let Narrowed { rings, changes, narrow } = narrow::narrowed(boundary, &rules)?;
     if changes.is_empty() {
-        let found = of_wide(boundary, demands, hold, has_domain, marks)?;
+        let found = of_wide(boundary, demands, hold, has_domain, is_straight, marks)?;
         return Ok(Conditioned { narrow, ..found });
     }
     let least_triangles = demands.least_triangles;
-    let before = Chains::new(boundary, &hold, &has_domain, marks, least_triangles).limit_of_all();
+    let given = Chains::new(boundary, &hold, &has_domain, &is_straight, marks, least_triangles);
+    let before = given.limit_of_all();
     // The lines are as they were.
     let line = |line: usize| -> Vec<Point> {
         let first: u32 = (0..line).map(|line| boundary.line(line).len() as u32).sum();
@@ -142,7 +145,9 @@ pub fn condition_map(
         let hold = hold(old_edge(edge));
         if is_new && hold < Hold::Edge { Hold::Free } else { hold }
     };
-    let mut found = of_wide(&wide, demands, hold_of, |edge| has_domain(old_edge(edge)), marks)?;
+    let has_domain = |edge| has_domain(old_edge(edge));
+    let is_straight = |edge| is_straight(old_edge(edge));
+    let mut found = of_wide(&wide, demands, hold_of, has_domain, is_straight, marks)?;
     for point in found.rings.iter_mut().chain(&mut found.lines).flatten() {
         point.of = point.of.and_then(|of| own[of as usize].of);
         point.edge = old_edge(point.edge);
@@ -160,13 +165,17 @@ fn of_wide(
     demands: &BoundaryDemands,
     hold: impl Fn(u32) -> Hold,
     has_domain: impl Fn(u32) -> [bool; 2],
+    is_straight: impl Fn(u32) -> bool,
     marks: &[DVec2],
 ) -> Result<Conditioned, ConditionError> {
     let prove = |chains: &Chains| {
         let (rings, lines) = chains.points();
         Ok(checked(boundary, &rings, &lines)?.0)
     };
-    let begun = || Chains::new(boundary, &hold, &has_domain, marks, demands.least_triangles);
+    let begun = || {
+        let least_triangles = demands.least_triangles;
+        Chains::new(boundary, &hold, &has_domain, &is_straight, marks, least_triangles)
+    };
     let mut chains = begun();
     let before = chains.limit_of_all();
     chains.drop_holes(demands.least_hole);
@@ -176,14 +185,15 @@ fn of_wide(
         && chains.widen_inlets(prove, demands, 0)?.is_empty();
     let mut narrow_inlets = Vec::new();
     if !is_good || demands.size.is_some() {
-        let (points, had_short) = (chains.edges().count() as f64, chains.has_shorter(SHORT));
+        let (points, had_short) = (chains.edges().count() as f64, chains.has_short(demands));
         chains.simplify(demands);
         chains.cut_tips(demands);
         chains.open_narrow(demands);
+        chains.join_short(demands);
         chains.divide(demands)?;
         narrow_inlets = chains.widen_inlets(prove, demands, inlets::ROUNDS)?;
         let is_worth_it = (chains.edges().count() as f64) < WORTH_POINTS * points
-            || had_short && !chains.has_shorter(SHORT);
+            || had_short && !chains.has_short(demands);
         if is_good && !is_worth_it {
             chains = begun();
             narrow_inlets.clear();

@@ -1,6 +1,6 @@
 //! Narrow water that is opened, as far as the boundary may move: its edges would have to be as short as it is narrow.
 
-use crate::chains::{Chains, NONE, share_along};
+use crate::chains::{Chains, share_along};
 use crate::changes::Why;
 use crate::demands::BoundaryDemands;
 use glam::DVec2;
@@ -15,8 +15,6 @@ const ROUNDS: usize = 4;
 const SHARES: [f64; 4] = [1.0, 0.5, 0.25, 0.125];
 /// A smaller share of a move is none.
 const LEAST: f64 = 1e-3;
-/// A turn by less is none, in radians: half a degree, far more than projections bend a parallel at a vertex.
-const STRAIGHT: f64 = 0.0087;
 /// Tents of so many degrees meet across all water that is narrow beside its edges.
 const STEEP: f64 = 45.0;
 
@@ -48,7 +46,7 @@ impl Chains {
             }
             for (own, across) in [(ends[0], ends[1]), (ends[1], ends[0])] {
                 let across = across.map(|v| self.at(v));
-                for vertex in own.into_iter().filter(|v| self.may_leave(*v)) {
+                for vertex in own {
                     let way = self.at(vertex) - nearest_on(self.at(vertex), across);
                     let distance = way.length();
                     if distance < width && distance > 0.0 {
@@ -61,22 +59,6 @@ impl Chains {
             }
         }
         nearest.into_iter().map(|(vertex, (_, by))| (vertex, by)).collect()
-    }
-
-    /// Whether no side bends that is straight over several edges, as those on a box, if a vertex moves: one that was put on an edge,
-    /// as the end of a cut tip, has none beside it.
-    fn may_leave(&self, vertex: u32) -> bool {
-        let is_straight = |v: u32| {
-            let [before, after] = [self.previous(v), self.next(v)];
-            if before == NONE || after == NONE {
-                return false;
-            }
-            let (to, from) = (self.at(v) - self.at(before), self.at(after) - self.at(v));
-            libm::atan2(to.perp_dot(from), to.dot(from)).abs() < STRAIGHT
-        };
-        let beside = [self.previous(vertex), self.next(vertex)];
-        let is_given = self.vertices[vertex as usize].point.of.is_some();
-        is_given || !beside.into_iter().any(|v| v != NONE && is_straight(v))
     }
 
     /// Moves a point by some way, or by a share of it where something is in the way. Tells whether it did.

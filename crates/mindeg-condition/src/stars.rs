@@ -51,7 +51,12 @@ impl Chains {
 
     /// The limit at a vertex if its edges had the best lengths, in degrees: what its sectors' angles leave to their triangles.
     pub(crate) fn limit_of_angles(&self, vertex: u32) -> f64 {
-        let (arcs, is_inside) = self.arcs(vertex, vertex, DVec2::ZERO);
+        self.limit_of_angles_with(vertex, vertex, DVec2::ZERO)
+    }
+
+    /// The same if the edge to a neighbour went to another point instead.
+    pub(crate) fn limit_of_angles_with(&self, vertex: u32, neighbor: u32, instead: DVec2) -> f64 {
+        let (arcs, is_inside) = self.arcs(vertex, neighbor, instead);
         let limit = |arc: &Vec<Sector>| match &arc[..] {
             [sector] if !is_inside => sector.0 / f64::from(self.least_triangles),
             sectors => sectors.iter().map(|sector| sector.0).fold(TAU, f64::min),

@@ -51,6 +51,7 @@ impl Chains {
                 // The tip goes; the points around it stand for it.
                 let second = self.insert(tip, ends[1]);
                 let first = self.insert(before, ends[0]);
+                self.leave_straight(first, tip);
                 let own = &mut self.vertices[tip as usize];
                 own.is_alive = false;
                 let dropped = std::mem::take(&mut own.dropped);

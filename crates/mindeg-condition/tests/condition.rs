@@ -314,7 +314,7 @@ fn edges_of_coasts_by_chance_are_a_fifth_of_most_at_least() {
 fn what_was_conditioned_stays_as_it_is() {
     let mut all = 0;
     for seed in 0..12 {
-        let rings = coast(40 + 7 * (seed as u32 % 20), 0.05 * (seed % 7) as f64, seed);
+        let rings = coast(40 + 7 * (seed as u32 % 20), 0.05 * (seed % 9) as f64, seed);
         let demands = BoundaryDemands::of_size([4.0, 8.0, 12.0][(seed % 3) as usize]);
         let first = conditioned(&rings, &demands);
         assert!(!first.changes.is_empty());
@@ -325,6 +325,77 @@ fn what_was_conditioned_stays_as_it_is() {
         }
     }
     assert!(all > 6, "{all}");
+    // Nor does one edge that is a seventh of the size, among lengths that change gradually, move anything.
+    let uneven = [4.0, 4.0, 3.0, 2.0, 1.3, 0.8, 0.6, 0.8, 1.3, 2.0, 3.0, 4.0, 4.0, 4.0];
+    let even = [4.0; 60];
+    let (mut at, mut fine) = (DVec2::ZERO, Vec::new());
+    for (way, lengths) in
+        [(DVec2::X, &uneven[..]), (DVec2::Y, &even), (-DVec2::X, &uneven), (-DVec2::Y, &even)]
+    {
+        for length in lengths {
+            fine.push(at);
+            at += way * *length;
+        }
+    }
+    let fine = conditioned(&[fine], &BoundaryDemands::of_size(4.0));
+    assert!(fine.before > 25.0 && fine.changes.is_empty(), "{}: {:?}", fine.before, fine.changes);
+}
+
+#[test]
+fn a_short_edge_goes_where_only_points_on_edges_mend_what_that_leaves() {
+    // A notch between two islands that overlap, in kilometres: two edges of 52 and 145 metres between two of 3 kilometres.
+    let notch = [[2.245, -1.37], [0.0, 0.0], [-0.0214, 0.0477], [-0.0949, -0.0768]];
+    let island = ring(&[&notch[..], &[[-2.635, -1.927], [-3.0, 2.0], [3.0, 2.0]]].concat());
+    let sea = ring(&[[-9.0, -9.0], [9.0, -9.0], [9.0, 5.0], [-9.0, 5.0]]);
+    let rings = [sea, island];
+    let found = conditioned(&rings, &BoundaryDemands::of_size(4.0));
+    let new = places(&found);
+    assert!(found.after >= 25.0 && apart(&rings, &new) <= 0.5);
+    assert!(lengths(&new)[0] > 0.25, "{:?}", &lengths(&new)[..5]);
+}
+
+#[test]
+fn the_end_of_a_straight_side_goes_along_it_and_the_side_stays_straight() {
+    // The east side is straight up to a coast that begins with a short edge, the west side from one on.
+    let sea = ring(&[
+        [0.0, 0.0],
+        [10.0, 0.0],
+        [10.0, 3.0],
+        [10.0, 5.0],
+        [9.96, 5.02],
+        [7.0, 6.5],
+        [3.0, 6.4],
+        [0.03, 5.05],
+        [0.0, 5.0],
+        [0.0, 2.0],
+    ]);
+    let is_straight = |edge: u32| ![3, 4, 5, 6, 7].contains(&edge);
+    let boundary = PlanarBoundary::new(&[sea]).unwrap();
+    let run = |hold: Hold| {
+        let hold = |edge| match edge {
+            3 | 8 => hold,
+            0 | 1 => Hold::Corner,
+            4 | 7 => Hold::Point,
+            _ => Hold::Free,
+        };
+        let domain = |_| [true, false];
+        let demands = BoundaryDemands::of_size(2.0);
+        condition_map(&boundary, &demands, hold, domain, is_straight, &[]).unwrap()
+    };
+    assert!(lengths(&places(&run(Hold::Corner)))[0] < 0.1);
+    let found = run(Hold::End);
+    let new = &found.rings[0];
+    assert!(lengths(&places(&found))[0] > 0.125, "{new:?}");
+    let mut on_box = 0;
+    for (index, point) in new.iter().enumerate() {
+        let next = new[(index + 1) % new.len()].at;
+        let is_on_box = [point.at, next].iter().all(|at| at.x == 10.0)
+            || [point.at, next].iter().all(|at| at.x == 0.0)
+            || [point.at, next].iter().all(|at| at.y == 0.0);
+        assert_eq!(is_straight(point.edge), is_on_box, "{point:?} {next}");
+        on_box += usize::from(is_on_box);
+    }
+    assert!(on_box > 6);
 }
 
 #[test]
@@ -487,7 +558,8 @@ fn a_line_between_two_regions_is_changed_once_for_both() {
     // A mark between the old line and the new one keeps the old.
     let mark = [DVec2::new(4.005, 4.0)];
     let has_domain = |edge: u32| [true, edge >= map.vertex_count()];
-    let marked = condition_map(&map, &demands, |_| Hold::Free, has_domain, &mark).unwrap();
+    let marked =
+        condition_map(&map, &demands, |_| Hold::Free, has_domain, |_| false, &mark).unwrap();
     assert_eq!(count(&marked, ChangeKind::Dropped), 0);
 }
 
@@ -576,7 +648,8 @@ fn maps_by_chance_reach_the_angle_within_the_distance() {
             let growth = if seed % 2 == 0 { 0.4 } else { 0.0 };
             let demands = BoundaryDemands { within, size, growth, ..BoundaryDemands::default() };
             let has_domain = |edge: u32| [true, edge >= map.vertex_count()];
-            let found = condition_map(&map, &demands, |_| Hold::Free, has_domain, &[]).unwrap();
+            let found =
+                condition_map(&map, &demands, |_| Hold::Free, has_domain, |_| false, &[]).unwrap();
             assert_eq!(found.lines.len(), map.line_count());
             assert!(found.moved <= within, "seed {seed}: {} {within}", found.moved);
             // Every old point is near its new line.

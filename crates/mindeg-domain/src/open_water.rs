@@ -77,15 +77,7 @@ impl Domain {
         parts: &[OpenWater],
         least_length: Option<f64>,
     ) -> Result<(Vec<Self>, Vec<Opening>), DomainError> {
-        let around = |domain: &Self| {
-            let bounds = domain.placement().bounds();
-            [bounds.min, bounds.max]
-        };
-        let nothing = [DVec2::INFINITY, DVec2::NEG_INFINITY];
-        let all = domains
-            .iter()
-            .map(around)
-            .fold(nothing, |[low, high], [min, max]| [low.min(min), high.max(max)]);
+        let all = Self::box_around(domains);
         let none = |domain: &Self| vec![Asked::default(); domain.rings().vertex_count() as usize];
         let mut asked: Vec<Vec<Asked>> = domains.iter().map(none).collect();
         for part in parts {
@@ -124,6 +116,22 @@ impl Domain {
         };
         let new: Result<_, _> = domains.iter().zip(asked).map(&mut opened).collect();
         Ok((new?, found))
+    }
+
+    /// The first vertices of the edges of each domain's outer boundary that are on the box around all: of their degrees if they were
+    /// projected, whose sides have mindeg's names then.
+    #[must_use]
+    pub fn edges_on_box(domains: &[Self]) -> Vec<Vec<u32>> {
+        let all = Self::box_around(domains);
+        domains.iter().map(|domain| domain.edges_of(&OpenWater::Box, all)).collect()
+    }
+
+    fn box_around(domains: &[Self]) -> [DVec2; 2] {
+        let nothing = [DVec2::INFINITY, DVec2::NEG_INFINITY];
+        domains.iter().fold(nothing, |[low, high], domain| {
+            let bounds = domain.placement().bounds();
+            [low.min(bounds.min), high.max(bounds.max)]
+        })
     }
 
     /// The domain with open edges: whether each one is, and whether it loses its name.

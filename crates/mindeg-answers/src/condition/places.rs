@@ -47,8 +47,8 @@ impl ShortestEdge {
         let place = place_in_words(self.degrees, self.at);
         (self.length < SHORT * self.median).then(|| {
             format!(
-                "The shortest edge is {length}{unit} long at {place}, half of all {median}{unit} or more: in a narrow place \
-                 a larger distance or a least width helps.\n"
+                "The shortest edge is {length}{unit} long at {place}, half of all {median}{unit} or more: edges below a \
+                 sixteenth of the size go where names, corners and the distance allow it.\n"
             )
         })
     }

@@ -13,6 +13,9 @@ impl Chains {
         if own.hold > Hold::Free || own.previous == NONE || own.next == NONE {
             return None;
         }
+        if self.is_on_straight(vertex) {
+            return None;
+        }
         // A point that was put on an edge is as far from the old boundary as that edge.
         let off = match own.point.of {
             Some(_) => 0.0,

@@ -200,7 +200,7 @@ impl<'p> Runs<'p> {
                     side.is_some_and(|side| is_on_ring(plane, &is_turned, *other, side))
                 });
                 let begins = begins.count();
-                let is_lost = begins == 0 && own.hold >= Hold::Corner;
+                let is_lost = begins == 0 && own.hold >= Hold::End;
                 // A place of lines alone is on no ring.
                 let is_free = !own.is_shared && own.point.is_some();
                 if !is_free || begins > 1 || is_lost {

@@ -43,7 +43,8 @@ pub fn condition(
     demands: &BoundaryDemands,
     kept: &[String],
 ) -> Result<(Domain, Conditioned), MeshError> {
-    condition_beside(domain, demands, kept, &[])
+    let on_box = Domain::edges_on_box(std::slice::from_ref(domain)).concat();
+    condition_beside(domain, demands, kept, &on_box, &[])
 }
 
 /// [`condition`] of several domains that lie beside each other, such as islands: none gets into another.
@@ -61,6 +62,7 @@ pub fn condition_all(
     };
     let mut points: Vec<Vec<DVec2>> = domains.iter().map(all_points).collect();
     let mut boxes: Vec<_> = domains.iter().map(|domain| domain.placement().bounds()).collect();
+    let on_box = Domain::edges_on_box(domains);
     let mut found: (Vec<Domain>, Vec<Conditioned>) = Default::default();
     for (index, domain) in domains.iter().enumerate() {
         let bounds = boxes[index];
@@ -75,8 +77,8 @@ pub fn condition_all(
         let others = points.iter().enumerate().filter(|(other, _)| is_beside(*other));
         let near: Vec<DVec2> =
             others.flat_map(|(_, points)| points).copied().filter(is_near).collect();
-        let (new, conditioned) =
-            condition_beside(domain, demands, kept, &near).map_err(|error| (index, error))?;
+        let (new, conditioned) = condition_beside(domain, demands, kept, &on_box[index], &near)
+            .map_err(|error| (index, error))?;
         points[index] = all_points(&new);
         boxes[index] = new.placement().bounds();
         found.0.push(new);
@@ -85,11 +87,12 @@ pub fn condition_all(
     Ok(found)
 }
 
-/// [`condition`] beside points that are not to get into the domain, nor out of it.
+/// [`condition`] of a domain with edges on a box, in ascending order, beside points that are not to get into the domain, nor out of it.
 fn condition_beside(
     domain: &Domain,
     demands: &BoundaryDemands,
     kept: &[String],
+    on_box: &[u32],
     beside: &[DVec2],
 ) -> Result<(Domain, Conditioned), MeshError> {
     let refused = |error: &dyn std::fmt::Display| MeshError::Refused(error.to_string());
@@ -107,6 +110,10 @@ fn condition_beside(
     let place = |point: DVec2| point.to_array().map(f64::to_bits);
     let named: BTreeSet<[u64; 2]> =
         domain.inside().points.iter().map(|point| place(point.at)).collect();
+    let is_on_box = |edge: u32| on_box.binary_search(&edge).is_ok();
+    let is_projected = domain.projection().is_some();
+    let is_named_by_box =
+        |edge: u32| is_projected && is_on_box(edge) && pieces.told(edge).1.is_none();
     let hold = |edge: u32| {
         let is_kept = |edge: u32| kept.iter().any(|name| *name == pieces.name(edge));
         let before = pieces.before(edge);
@@ -114,7 +121,15 @@ fn condition_beside(
             _ if is_kept(edge) => Hold::Edge,
             Some(before) if is_kept(before) => Hold::Point,
             _ if named.contains(&place(boundary.point(boundary.ends(edge)[0]))) => Hold::Point,
-            Some(before) if pieces.told(before) != pieces.told(edge) => Hold::Corner,
+            Some(before) if pieces.told(before) == pieces.told(edge) => Hold::Free,
+            // A name that the box of degrees gave is no reason to keep a point.
+            Some(before) if is_named_by_box(before) && pieces.told(edge) == (&None, None) => {
+                Hold::End
+            }
+            Some(before) if is_named_by_box(edge) && pieces.told(before) == (&None, None) => {
+                Hold::End
+            }
+            Some(_) => Hold::Corner,
             _ => Hold::Free,
         }
     };
@@ -127,7 +142,7 @@ fn condition_beside(
     };
     let regions = domain.inside().regions.iter().map(|region| region.at);
     let marks: Vec<DVec2> = regions.chain(beside.iter().copied()).collect();
-    let found = condition_map(&boundary, demands, hold, has_domain, &marks);
+    let found = condition_map(&boundary, demands, hold, has_domain, is_on_box, &marks);
     let found = found.map_err(|error| refused(&error))?;
     let rebuilt = |how| pieces.rebuilt(&found, how).map_err(|error| refused(&error));
     let kept = rebuilt(Sides::KeptWhereTheyStay).ok();
