@@ -134,6 +134,9 @@ fn mesh_of(domain: &Domain, arguments: &MeshArguments, output: &[PathBuf]) -> Re
     end
 }
 
+/// What gives a domain that is too large for its limits a mesh.
+pub(crate) const WITHOUT_CONSTRAINTS: &str = "leave out outside_degree and max_degree";
+
 /// The mesh of a domain.
 pub(crate) fn meshed(
     domain: &Domain,
@@ -141,7 +144,7 @@ pub(crate) fn meshed(
     progress: Progress<'_>,
 ) -> Result<Meshed, Failure> {
     mindeg::mesh(domain, goal, progress)
-        .map_err(|error| unsolved(&error, "leave out outside_degree and max_degree"))
+        .map_err(|error| unsolved(&error, WITHOUT_CONSTRAINTS))
 }
 
 /// Why a domain has no mesh; where it is for its size, `way_out` says what to do.

@@ -2,12 +2,11 @@
 
 use crate::args::ViewArguments;
 use crate::bar::Bar;
-use crate::browser::listed;
 use crate::domain::{Parts, Subject, from_options, in_file};
 use crate::failure::Failure;
 use crate::interrupt::{SESSION, clean_up_on_interrupt};
 use crate::making::{WithFiles, wrote};
-use crate::mesh::meshed;
+use crate::mesh::{WITHOUT_CONSTRAINTS, unsolved};
 use crate::provenance::{mesh_command, provenance};
 use crate::standard_output::print_json;
 use crate::terminal::say;
@@ -116,17 +115,15 @@ fn mesh_of(parts: &Parts, arguments: &ViewArguments, bar: &Bar) -> Result<TriMes
     let in_file = has_interior(parts) && arguments.goal.is_empty();
     let mesh = if arguments.interior || in_file || purpose == Some(Purpose::Solver) {
         let wanted = first.interior().cloned().unwrap_or_default();
-        let found = bar.work(|progress| match &parts.domains[..] {
-            [domain] => interior::mesh(domain, &wanted, progress).map_err(|error| (0, error)),
-            parts => interior::mesh_all(parts, &wanted, progress),
-        });
+        let found = bar.work(|progress| interior::mesh_all(&parts.domains, &wanted, progress));
         found.map_err(|(index, error)| parts.failure((index, Failure::input(error))))?.mesh
-    } else if let [domain] = &parts.domains[..] {
-        listed(&bar.work(|progress| meshed(domain, arguments.goal.goal(), progress))?.mesh)?
     } else {
         let goal = arguments.goal.goal();
         let found = bar.work(|progress| mesh_all(&parts.domains, goal, progress));
-        found.map_err(|(index, error)| parts.failure((index, Failure::input(error))))?.mesh
+        let found = found.map_err(|(index, error)| {
+            parts.failure((index, unsolved(&error, WITHOUT_CONSTRAINTS)))
+        });
+        found?.mesh
     };
     Ok(match &parts.name {
         Some(name) => mesh.named(name.as_str()),

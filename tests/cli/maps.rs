@@ -486,31 +486,47 @@ fn one_region_is_one_region() {
 fn parts_of_a_map_have_the_same_advice_everywhere() {
     let folder = tempdir().expect("a folder");
     let at = |name: &str| folder.path().join(name);
-    let (file, out) = (at("parts.wkt"), at("mesh.obj"));
+    let out = at("mesh.obj");
     let parts =
         "POLYGON((0 0, 1 0, 2 0, 2 0.3, 2 2, 0 2, 0 0.2)) POLYGON((5 0, 6 0, 9 0, 9 1, 5 1))";
-    fs::write(&file, parts).expect("a file");
-    let figures = mindeg(["tradeoff", text(&file), "--json"]).json();
-    let told = [
-        mindeg(["tradeoff", text(&file)]).text().to_owned(),
-        mindeg(["mesh", text(&file), "-o", text(&out)]).errors,
-        mindeg(["degree", text(&file)]).text().to_owned(),
-        mindeg(["view", text(&file), "-o", text(&at("page.html"))]).errors,
-    ];
-    for purpose in ["solver", "patch", "fewest"] {
-        let advised = &figures["advice"][purpose];
-        let words = ["mesh", text(&file), "--for", purpose, "--json", "-o", text(&out)];
-        let made = mindeg(words).json();
-        for key in ["max_degree", "min_angle"] {
-            let [told, is] = [advised, &made].map(|it| it[key].as_f64().expect("a number"));
-            assert!((told - is).abs() < 1e-9, "{purpose}, {key}: {told} {is}");
+    // Alone, the house keeps 95% of its own larger angle at degree 6 only.
+    let house = "<svg viewBox='0 0 24 24'><path d='M10 20v-6h4v6h5v-8h3L12 3 2 12h3v8z'/><circle cx='30' cy='12' r='5'/></svg>";
+    for (name, content) in [("parts.wkt", parts), ("house.svg", house)] {
+        let file = at(name);
+        fs::write(&file, content).expect("a file");
+        let figures = mindeg(["tradeoff", text(&file), "--json"]).json();
+        let told = [
+            mindeg(["tradeoff", text(&file)]).text().to_owned(),
+            mindeg(["mesh", text(&file), "-o", text(&out)]).errors,
+            mindeg(["degree", text(&file)]).text().to_owned(),
+            mindeg(["view", text(&file), "-o", text(&at("page.html"))]).errors,
+        ];
+        for purpose in ["solver", "patch", "fewest"] {
+            let advised = &figures["advice"][purpose];
+            let words = ["mesh", text(&file), "--for", purpose, "--json", "-o", text(&out)];
+            let made = mindeg(words).json();
+            for key in ["max_degree", "min_angle"] {
+                let [told, is] = [advised, &made].map(|it| it[key].as_f64().expect("a number"));
+                assert!((told - is).abs() < 1e-9, "{name}, {purpose}, {key}: {told} {is}");
+            }
+            let angle = advised["min_angle"].as_f64().expect("a number");
+            for text in told.iter().filter(|_| purpose != "fewest") {
+                assert!(text.contains(&format!("minimum angle {angle:.3}°")), "{purpose}: {text}");
+            }
         }
-        let angle = advised["min_angle"].as_f64().expect("a number");
-        for text in told.iter().filter(|_| purpose != "fewest") {
-            assert!(text.contains(&format!("minimum angle {angle:.3}°")), "{purpose}: {text}");
+        assert!(told[1].contains(" --interior\n") && told[1].contains(" --keep-angle 95%\n"));
+        assert_eq!(figures["advised"], figures["advice"]["patch"]["max_degree"], "{name}");
+        assert!(!figures["advice"]["patch"]["share_of_delaunay"].is_null(), "{name}");
+        // A row is the mesh of all parts within its degree.
+        for row in figures["points"].as_array().expect("rows") {
+            let degree = row["max_degree"].to_string();
+            let words =
+                ["mesh", text(&file), "--max-degree", &degree, "--json", "-o", text(&out)];
+            let made = mindeg(words).json();
+            let [told, is] = [row, &made].map(|it| it["min_angle"].as_f64().expect("an angle"));
+            assert!((told - is).abs() < 1e-6, "{name}, {degree}: {told} {is}");
         }
     }
-    assert!(told[1].contains(" --interior\n") && told[1].contains(" --keep-angle 95%\n"));
 }
 
 /// Every command mends overlaps as `mesh` does, and `view` shows all parts.

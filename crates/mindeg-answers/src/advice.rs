@@ -7,10 +7,10 @@ pub use crate::purpose::{FEWEST, KEPT, Purpose};
 
 use crate::command::MeshCommand;
 use crate::numbers::{percent, steady_angle};
-use mindeg::beside::each;
+use mindeg::beside::mesh_parts;
 use mindeg::exact::share_of;
 use mindeg::interior::{self, InteriorError, InteriorMesh, InteriorReport};
-use mindeg::{Domain, Goal, Interior, MeshError, Meshed, Progress, mesh};
+use mindeg::{Domain, Goal, Interior, MeshError, Meshed, Progress};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -132,15 +132,6 @@ pub fn advised_interior(domain: &Domain) -> Interior {
     Interior { max_points: Some(most), ..wanted }
 }
 
-/// The meshes of the parts of a domain.
-fn meshed(
-    domains: &[Domain],
-    goal: Goal,
-    progress: Progress<'_>,
-) -> Result<Vec<Meshed>, (usize, MeshError)> {
-    each(domains, "triangulating", progress, |domain, progress| mesh(domain, goal, progress))
-}
-
 impl Advice {
     /// The advice without figures.
     pub const UNMEASURED: Self =
@@ -164,7 +155,7 @@ impl Advice {
         domains: &[Domain],
         progress: Progress<'_>,
     ) -> Result<(Self, Option<InteriorMesh>), (usize, MeshError)> {
-        let fewest = meshed(domains, FEWEST, progress)?;
+        let fewest = mesh_parts(domains, FEWEST, progress)?;
         Ok(Self::beside(domains, AdvisedMesh::of_all(&fewest), progress))
     }
 
@@ -174,14 +165,10 @@ impl Advice {
         fewest: Option<AdvisedMesh>,
         progress: Progress<'_>,
     ) -> (Self, Option<InteriorMesh>) {
-        let patch = meshed(domains, Goal::KeepAngle(KEPT), progress).ok();
-        let solver = match domains {
-            [domain] => interior::mesh(domain, &advised_interior(domain), progress),
-            parts => {
-                let wanted = parts.first().map(advised_interior).unwrap_or_default();
-                interior::mesh_all(parts, &wanted, progress).map_err(|(_, error)| error)
-            }
-        };
+        let patch = mesh_parts(domains, Goal::KeepAngle(KEPT), progress).ok();
+        let wanted = domains.first().map(advised_interior).unwrap_or_default();
+        let solver =
+            interior::mesh_all(domains, &wanted, progress).map_err(|(_, error)| error);
         let advice = Self::among(
             solver
                 .as_ref()

@@ -35,7 +35,7 @@ pub struct MeshAnswer {
     pub found_by: &'static str,
     /// The largest minimum angle of all meshes of these points, Delaunay's; null where it was not worked out.
     pub angle_limit: Option<f64>,
-    /// `min_angle` / `angle_limit`, of several domains the least; at most 1.
+    /// `min_angle` / `angle_limit`; at most 1.
     pub share_of_limit: Option<f64>,
     /// Whether the corners ran clockwise.
     pub reversed: bool,
@@ -112,7 +112,7 @@ impl MeshAnswer {
 #[derive(Clone, Debug, Serialize)]
 pub struct MeshBesideAnswer {
     /// The name of all of them together, the intervals of the sides of all, and the mesh of all. `found_by` is that of the
-    /// part with the highest degree.
+    /// part that decides the degree.
     #[serde(flatten)]
     pub all: MeshAnswer,
     /// How many regions have names that differ.
@@ -128,10 +128,9 @@ impl MeshBesideAnswer {
         let answer = |(part, angles): (&Meshed, &[f64; 2])| MeshAnswer::of(part, *angles);
         let parts: Vec<MeshAnswer> = found.parts.iter().zip(angles).map(answer).collect();
         let (least, is_proven) = found.least_max_degree();
-        let highest = parts.iter().rev().max_by_key(|part| part.max_degree);
-        let least_of = |value: fn(&MeshAnswer) -> Option<f64>| {
-            parts.iter().map(value).reduce(|a, b| Some(a?.min(b?))).flatten()
-        };
+        let deciding = parts.get(found.deciding_part);
+        let min_angle = parts.iter().map(|part| part.min_angle).fold(f64::INFINITY, f64::min);
+        let angle_limit = found.delaunay_min_angle();
         let all = MeshAnswer {
             name: name.map(str::to_owned),
             intervals: parts.iter().flat_map(|part| part.intervals.iter().copied()).collect(),
@@ -140,11 +139,11 @@ impl MeshBesideAnswer {
             max_degree: parts.iter().map(|part| part.max_degree).fold(0, u32::max),
             least_max_degree: is_proven.then_some(least),
             at_least: least,
-            min_angle: parts.iter().map(|part| part.min_angle).fold(f64::INFINITY, f64::min),
+            min_angle,
             max_angle: parts.iter().map(|part| part.max_angle).fold(0.0, f64::max),
-            found_by: highest.map_or("windows", |part| part.found_by),
-            angle_limit: least_of(|part| part.angle_limit),
-            share_of_limit: least_of(|part| part.share_of_limit),
+            found_by: deciding.map_or("windows", |part| part.found_by),
+            angle_limit,
+            share_of_limit: angle_limit.map(|most| share_of(min_angle, most)),
             reversed: parts.iter().any(|part| part.reversed),
         };
         let regions = region_count(found.parts.iter().map(|part| part.mesh.domain()));
@@ -168,14 +167,11 @@ pub fn mesh_beside(found: &MeshBeside, answer: &MeshBesideAnswer, goal: Goal) ->
     let regions = counted(*regions as u64, "region");
     let in_parts = counted(count as u64, "part");
     let mut lines = vec![format!("{name}: {regions} in {in_parts}: {size}")];
-    let highest = (0..count).rev().max_by_key(|&part| parts[part].max_degree);
-    lines.extend(highest.and_then(|part| {
-        let meshed = found.parts.get(part)?;
-        let standing = standing(meshed, goal, parts[part].min_angle)?;
-        Some(format!(
-            "The highest degree is that of {}. {standing}",
-            part_name(part, meshed.mesh.domain())
-        ))
+    let meshed = &found.parts[found.deciding_part];
+    let standing = standing_of(meshed, goal, all.min_angle, found.delaunay_min_angle());
+    lines.extend(standing.map(|standing| {
+        let part = part_name(found.deciding_part, meshed.mesh.domain());
+        format!("The highest degree is that of {part}. {standing}")
     }));
     lines
 }
@@ -224,9 +220,19 @@ fn in_line(
 /// The proven facts about a mesh, if the first line does not say them.
 #[must_use]
 pub fn standing(meshed: &Meshed, goal: Goal, min_angle: f64) -> Option<String> {
+    standing_of(meshed, goal, min_angle, meshed.delaunay_min_angle)
+}
+
+/// The same of a mesh that a part decides: the angles, the least and Delaunay's, are those of all.
+fn standing_of(
+    meshed: &Meshed,
+    goal: Goal,
+    min_angle: f64,
+    delaunay_min_angle: Option<f64>,
+) -> Option<String> {
     let (max_degree, least) = (meshed.mesh.max_total_degree(), meshed.least_max_degree);
-    let share = meshed.delaunay_min_angle.map(|most| share_of(min_angle, most));
-    let kept = meshed.delaunay_min_angle.zip(share).map(|(most, share)| {
+    let share = delaunay_min_angle.map(|most| share_of(min_angle, most));
+    let kept = delaunay_min_angle.zip(share).map(|(most, share)| {
         let share = if share < 1.0 { percent(share) } else { "all".to_owned() };
         format!("{share} of Delaunay's minimum angle, {}", steady_angle(most))
     });

@@ -105,13 +105,10 @@ impl TradeOffAnswer {
         Self { points, delaunay_min_angle: most, advised, advice: None }
     }
 
-    /// The same with the meshes to take. Of several domains, each keeps the share of its own angle: the degree to take is that
-    /// of their mesh.
+    /// The same with the meshes to take.
     #[must_use]
     pub fn with_advice(self, advice: Advice) -> Self {
-        let of_patch = advice.patch.map(|patch| patch.max_degree);
-        let row = self.points.iter().map(|point| point.max_degree).find(|&it| Some(it) == of_patch);
-        Self { advised: row.or(self.advised), advice: Some(advice), ..self }
+        Self { advice: Some(advice), ..self }
     }
 
     /// The gap of the proof, in a sentence.

@@ -26,6 +26,15 @@ pub fn each<R: Send, E: Send>(
     progress: Progress<'_>,
     work: impl Fn(&Domain, Progress<'_>) -> Result<R, E> + Sync,
 ) -> Result<Vec<R>, (usize, E)> {
+    each_by_index(domains, what, progress, |index, progress| work(&domains[index], progress))
+}
+
+fn each_by_index<R: Send, E: Send>(
+    domains: &[Domain],
+    what: &str,
+    progress: Progress<'_>,
+    work: impl Fn(usize, Progress<'_>) -> Result<R, E> + Sync,
+) -> Result<Vec<R>, (usize, E)> {
     let weight = |domain: &Domain| u64::from(domain.placement().vertex_count());
     let (total, done) = (domains.iter().map(weight).sum::<u64>(), AtomicU64::new(0));
     // The largest take longest, so they begin first.
@@ -42,7 +51,7 @@ pub fn each<R: Send, E: Send>(
                 Err(Cancelled) => ControlFlow::Break(()),
             }
         };
-        work(&domains[index], Progress::new(&tell))
+        work(index, Progress::new(&tell))
     });
     let mut found: Vec<_> = order.into_iter().zip(found).collect();
     found.sort_by_key(|(index, _)| *index);
@@ -56,9 +65,17 @@ pub struct MeshBeside {
     pub mesh: TriMesh,
     /// The mesh of each domain, with what is known of its degree.
     pub parts: Vec<Meshed>,
+    /// The part that decides the degree: the first that needs it.
+    pub deciding_part: usize,
 }
 
 impl MeshBeside {
+    /// The minimum angle of a Delaunay triangulation of all domains, in degrees, if that of each is known.
+    #[must_use]
+    pub fn delaunay_min_angle(&self) -> Option<f64> {
+        delaunay_min_angle(&self.parts)
+    }
+
     /// A degree that no mesh of all domains is below, and whether some mesh is known to have it.
     #[must_use]
     pub fn least_max_degree(&self) -> (u32, bool) {
@@ -68,8 +85,8 @@ impl MeshBeside {
     }
 }
 
-/// Meshes domains that lie beside each other, each as the goal asks for: a share of the minimum angle is that of its own
-/// Delaunay triangulation. The domains are shared among all threads.
+/// Meshes one domain, or several that lie beside each other as one mesh: a share of the minimum angle, and the degree within
+/// which the angle is the largest, are those of all together. The domains are shared among all threads.
 ///
 /// # Errors
 ///
@@ -94,8 +111,7 @@ pub fn mesh_all(
     goal: Goal,
     progress: Progress<'_>,
 ) -> Result<MeshBeside, (usize, MeshError)> {
-    let work = |domain: &Domain, progress: Progress<'_>| mesh(domain, goal, progress);
-    let parts = each(domains, "triangulating", progress, work)?;
+    let (parts, deciding_part) = parts_of(domains, goal, progress)?;
     let mut all: Option<TriMesh> = None;
     for (index, part) in parts.iter().enumerate() {
         let own = TriMesh::of(&part.mesh).map_err(|error| (index, error.into()))?;
@@ -105,5 +121,71 @@ pub fn mesh_all(
         });
     }
     let all = all.ok_or_else(|| (0, MeshError::refused("there is no domain")))?;
-    Ok(MeshBeside { mesh: all.with_groups_merged(), parts })
+    let mesh = if parts.len() > 1 { all.with_groups_merged() } else { all };
+    Ok(MeshBeside { mesh, parts, deciding_part })
+}
+
+/// The meshes of the domains that [`mesh_all`] makes one of.
+///
+/// # Errors
+///
+/// The errors of [`mesh`], with the index of the first domain that has one.
+pub fn mesh_parts(
+    domains: &[Domain],
+    goal: Goal,
+    progress: Progress<'_>,
+) -> Result<Vec<Meshed>, (usize, MeshError)> {
+    Ok(parts_of(domains, goal, progress)?.0)
+}
+
+/// The meshes, and the index of the one that decides the degree.
+fn parts_of(
+    domains: &[Domain],
+    goal: Goal,
+    progress: Progress<'_>,
+) -> Result<(Vec<Meshed>, usize), (usize, MeshError)> {
+    const WHAT: &str = "triangulating";
+    let own = each(domains, WHAT, progress, |domain, progress| mesh(domain, goal, progress))?;
+    let degree = |meshed: &Meshed| meshed.mesh.max_total_degree();
+    let highest = |all: &[Meshed]| (0..all.len()).rev().max_by_key(|&it| degree(&all[it]));
+    let own = match (goal, delaunay_min_angle(&own)) {
+        (Goal::KeepAngle(share), Some(most)) if own.len() > 1 => {
+            // A domain whose own angles are larger keeps less of them.
+            each_by_index(domains, WHAT, progress, |index, progress| {
+                let meshed = &own[index];
+                match meshed.delaunay_min_angle {
+                    Some(angle) if angle > most => {
+                        mesh(&domains[index], Goal::KeepAngle(share * most / angle), progress)
+                    }
+                    _ => Ok(meshed.clone()),
+                }
+            })?
+        }
+        _ => own,
+    };
+    let deciding = highest(&own).unwrap_or(0);
+    if own.len() < 2 || !matches!(goal, Goal::KeepAngle(_) | Goal::Optimize(_)) {
+        return Ok((own, deciding));
+    }
+    let limit = degree(&own[deciding]);
+    let all = each_by_index(domains, WHAT, progress, |index, progress| {
+        let meshed = &own[index];
+        if degree(meshed) == limit {
+            return Ok(meshed.clone());
+        }
+        let angle = |meshed: &Meshed| meshed.mesh.angle_range().min;
+        match mesh(&domains[index], Goal::MaxDegree(limit), progress) {
+            Ok(more) if angle(&more) > angle(meshed) => Ok(more.with_bound_of(meshed)),
+            Ok(_) => Ok(meshed.clone()),
+            // What windows do not reach again is there already.
+            Err(error) => progress.report(WHAT, 0, 1).map_or(Err(error), |()| Ok(meshed.clone())),
+        }
+    })?;
+    Ok((all, deciding))
+}
+
+/// The minimum angle of a Delaunay triangulation of all domains, if that of each is known.
+fn delaunay_min_angle(parts: &[Meshed]) -> Option<f64> {
+    let angles = parts.iter().map(|part| part.delaunay_min_angle);
+    angles.reduce(|a, b| Some(a?.min(b?))).flatten()
 }

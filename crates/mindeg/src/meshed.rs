@@ -42,13 +42,15 @@ pub struct Meshed {
 }
 
 impl Meshed {
-    /// The same mesh with what another work on the domain says of the least degree.
+    /// The same mesh with what another work on the domain says of the least degree and of Delaunay's angle.
     pub(crate) fn with_bound_of(self, other: &Self) -> Self {
         let least_max_degree = self.least_max_degree.max(other.least_max_degree);
         let is_known = |meshed: &Self| {
             meshed.is_least_proven && meshed.least_max_degree == least_max_degree
                 || meshed.mesh.max_total_degree() == least_max_degree
         };
-        Self { is_least_proven: is_known(&self) || is_known(other), least_max_degree, ..self }
+        let delaunay_min_angle = self.delaunay_min_angle.or(other.delaunay_min_angle);
+        let is_least_proven = is_known(&self) || is_known(other);
+        Self { is_least_proven, least_max_degree, delaunay_min_angle, ..self }
     }
 }

@@ -8,7 +8,7 @@ use crate::beside::each;
 
 use super::{AngleLimit, InteriorMesh, coarse, mesh};
 
-/// Meshes domains that lie beside each other, such as islands, as one mesh: the vertices of the first domain come first.
+/// Meshes one domain, or several that lie beside each other, such as islands, as one mesh: the vertices of the first domain come first.
 /// Groups of one name are one group. The domains are shared among all threads; the limit is that of the domain with the
 /// least.
 ///
@@ -20,6 +20,9 @@ pub fn mesh_all(
     wanted: &Interior,
     progress: Progress<'_>,
 ) -> Result<InteriorMesh, (usize, InteriorError)> {
+    if let [domain] = domains {
+        return mesh(domain, wanted, progress).map_err(|error| (0, error));
+    }
     let work = |domain: &Domain, progress: Progress<'_>| mesh(domain, wanted, progress);
     let meshed = each(domains, "adding interior points", progress, work)?;
     let mut all: Option<TriMesh> = None;
