@@ -16,6 +16,7 @@ use mindeg_explore::{
     repaired_if_refused, sources,
 };
 use mindeg_files::{Input, Wanted};
+use std::ffi::OsStr;
 use std::fs;
 use std::path::Path;
 
@@ -66,14 +67,17 @@ fn start(
                 }
                 source
             };
-            let sources: Vec<Source> = domains.iter().enumerate().map(source).collect();
+            let mut sources: Vec<Source> = domains.iter().enumerate().map(source).collect();
             let more = is_repaired && !arguments.options.outline.repair;
             let more = more.then(|| "--repair".to_owned());
             let words: Vec<String> = words.into_iter().chain(more).collect();
             if let ([_], Some(domain)) = (&sources[..], &sources[0].domain) {
                 known.add(&words, domain.get());
             }
-            (sources[0].clone(), sources)
+            let first = sources[0].clone();
+            let name = file.and_then(Path::file_stem).map_or("map".into(), OsStr::to_string_lossy);
+            sources.splice(..0, Source::whole(&name, &words, &domains));
+            (first, sources)
         }
     };
     let choices = if choices.len() > 1 { choices } else { Vec::new() };
@@ -129,9 +133,9 @@ fn of_file(
         known.add_surface(&name, &path.display().to_string());
         return Ok((Source { name, ..sources.swap_remove(at) }, Vec::new()));
     }
-    let problem = sources.first().and_then(|source| source.message.clone());
-    sources.retain(|source| source.domain.is_some());
-    let Some(source) = sources.first().cloned() else {
+    let problem = sources.iter().find_map(|source| source.message.clone());
+    sources.retain(|source| source.message.is_none());
+    let Some(source) = sources.iter().find(|source| source.domain.is_some()).cloned() else {
         let problem = problem.unwrap_or_else(|| "it holds no polygon".to_owned());
         return Err(Failure::Input(format!("{name}: {problem}")));
     };

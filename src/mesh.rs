@@ -143,8 +143,7 @@ pub(crate) fn meshed(
     goal: Goal,
     progress: Progress<'_>,
 ) -> Result<Meshed, Failure> {
-    mindeg::mesh(domain, goal, progress)
-        .map_err(|error| unsolved(&error, WITHOUT_CONSTRAINTS))
+    mindeg::mesh(domain, goal, progress).map_err(|error| unsolved(&error, WITHOUT_CONSTRAINTS))
 }
 
 /// Why a domain has no mesh; where it is for its size, `way_out` says what to do.

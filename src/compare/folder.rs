@@ -10,6 +10,7 @@ use crate::named_files::summed_up;
 use crate::provenance::provenance_of;
 use crate::terminal::say;
 use mindeg::Domain;
+use mindeg_answers::command::{MeshCommand, file_word};
 use mindeg_compare::{
     CompareOptions, Comparison, IndexEntry, PageLinks, write_index, write_linked_html,
 };
@@ -32,6 +33,9 @@ pub(super) fn run(
     SESSION.refuse_input(&index)?;
     for job in &jobs {
         SESSION.refuse_input(&job.page(folder))?;
+        if job.is_part {
+            SESSION.refuse_input(&job.domain_file(folder))?;
+        }
     }
     fs::create_dir_all(folder).map_err(|error| cannot_write(folder, &error))?;
 
@@ -81,6 +85,8 @@ pub(super) fn run(
 /// A domain, or why there is none, which is told when its turn comes; and the name of its page.
 struct Job<'a> {
     name: String,
+    /// Whether its file has others, so that no command makes its mesh of that file.
+    is_part: bool,
     /// `None` for a domain from options alone.
     file: Option<&'a Path>,
     domain: Result<Domain, Failure>,
@@ -91,6 +97,11 @@ impl Job<'_> {
         folder.join(format!("{}.html", self.name))
     }
 
+    /// The file of a part, beside its page.
+    fn domain_file(&self, folder: &Path) -> PathBuf {
+        folder.join(format!("{}.json", self.name))
+    }
+
     /// Compares, and writes either all of the page and the meshes or nothing.
     fn run(
         self,
@@ -99,12 +110,20 @@ impl Job<'_> {
         folder: &Path,
         links: &PageLinks,
     ) -> Result<Comparison, Failure> {
-        let page = self.page(folder);
+        let (page, file) = (self.page(folder), self.domain_file(folder));
         let domain = self.domain?;
         let mut outputs = Outputs::new(&SESSION);
         let out = outputs.open(&page)?;
         let comparison = compared(&domain, options, arguments.quiet)?;
-        let comparison = comparison.made_by(provenance_of(&domain, self.file));
+        let mut made_by = provenance_of(&domain, self.file);
+        if self.is_part {
+            let out = outputs.open(&file)?;
+            write_to(&file, out, |out| out.write_all(domain.to_json().as_bytes()))?;
+            let named = domain.clone().named(self.name.as_str());
+            let word = file_word(&file.display().to_string());
+            made_by.mesh = MeshCommand::of(&[word], named.as_ref().unwrap_or(&domain));
+        }
+        let comparison = comparison.made_by(made_by);
         if let Some(meshes) = &arguments.save_meshes {
             saved_meshes::save(&meshes.join(&self.name), &comparison, &mut outputs)?;
         }
@@ -120,7 +139,7 @@ impl Job<'_> {
 fn jobs(arguments: &CompareArguments) -> Result<Vec<Job<'_>>, Failure> {
     if arguments.files.is_empty() {
         let domain = from_options(&arguments.options);
-        return Ok(vec![Job { name: UNNAMED.to_owned(), file: None, domain }]);
+        return Ok(vec![Job { name: UNNAMED.to_owned(), is_part: false, file: None, domain }]);
     }
     let mut names = BTreeSet::from(["index".to_owned()]);
     let job = |path: &'_ PathBuf| {
@@ -144,10 +163,10 @@ fn jobs(arguments: &CompareArguments) -> Result<Vec<Job<'_>>, Failure> {
                 let is_one = parts.len() == 1;
                 jobs.extend((1..).zip(parts).map(|(index, part)| {
                     let name = if is_one { name.clone() } else { format!("{name}-{index}") };
-                    Job { name, file, domain: Ok(part) }
+                    Job { name, is_part: !is_one, file, domain: Ok(part) }
                 }));
             }
-            Err(failure) => jobs.push(Job { name, file, domain: Err(failure) }),
+            Err(failure) => jobs.push(Job { name, is_part: false, file, domain: Err(failure) }),
         }
     }
     Ok(jobs)

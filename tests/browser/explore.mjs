@@ -281,6 +281,33 @@ test("a file that is started with or dropped is repaired, named after its stem, 
   }
 });
 
+test("parts that share no edge are one map, whose mesh is shown and downloaded beside the parts", async () => {
+  const page = await openNew();
+  await dropFile(page, "islands.wkt", Buffer.from("POLYGON((0 0, 4 0, 4 3, 0 3)) POLYGON((9 0, 12 0, 12 3, 9 3))"));
+  await page.waitForFunction(() => document.querySelectorAll("#choose button").length === 3);
+  await answered(page);
+  const pressed = () => page.locator("#choose [aria-pressed=true]").allTextContents();
+  const names = await page.locator("#choose button").allTextContents();
+  assert.equal(names[0], "the whole map");
+  assert.deepEqual(await pressed(), [names[1]]);
+  await page.locator("#choose button").first().click();
+  await page.waitForSelector("#solid-download:visible");
+  assert.deepEqual(await pressed(), [names[0]]);
+  assert.match(await text(page, "#solid-command"), /^mindeg mesh islands\.wkt .* -o islands-/);
+  await page.locator("#whole-purposes button").nth(2).click();
+  await page.waitForFunction(() => document.querySelector("#solid-command").textContent.includes("--optimize angle"));
+  await page.waitForSelector("#solid-download:visible");
+  assert.match(await text(page, "#solid-meshes .figures"), / 4 triangles/);
+  const { path, bytes } = await downloaded(page, "#solid-download");
+  assert.match(path, /islands-fewest-edges\.obj$/);
+  assert.equal(bytes.toString().match(/^f /gm).length, 4);
+  await page.locator("#choose button").nth(2).click();
+  await answered(page);
+  assert.deepEqual(await pressed(), [names[2]]);
+  assert.ok(await page.locator("#solid").isHidden());
+  await page.context().close();
+});
+
 test("the curve is in the first screen beside the picture", async () => {
   const page = await openNew();
   for (const name of ["boundary-layer-channel", "wing-panel"]) {

@@ -412,8 +412,30 @@ mod page {
             let choices = ask("GET /api/start/choices");
             let choices = choices.as_array().expect("a list");
             assert!(choices.len() >= 3, "{words:?}: {choices:?}");
-            assert_eq!(choices[0]["domain"], ask("GET /api/start")["domain"]);
-            for choice in choices {
+            assert_eq!(choices[1]["domain"], ask("GET /api/start")["domain"]);
+            // All of them together come first: the mesh is that of the command beside it.
+            let whole = &choices[0]["map"];
+            let shown: Value =
+                serde_json::from_slice(&page.ask("POST /api/whole?purpose=fewest", whole))
+                    .expect("JSON");
+            let saved = page.ask("POST /api/whole/file?purpose=fewest&format=obj", whole);
+            let command = shown["command"].as_str().expect("a command");
+            let out = folder.path().join(command.rsplit(' ').next().expect("a file"));
+            let run = pasted(folder.path(), command);
+            assert_eq!(run.code, Some(0), "{command}: {}", run.errors);
+            let lines = |bytes: &[u8], start: &str| {
+                let text = String::from_utf8_lossy(bytes).into_owned();
+                text.lines()
+                    .filter(|line| line.starts_with(start))
+                    .map(str::to_owned)
+                    .collect::<Vec<_>>()
+            };
+            let made = fs::read(out).expect("a mesh");
+            for start in ["v ", "f "] {
+                assert!(lines(&saved, start) == lines(&made, start), "{command}: {start}");
+            }
+            assert_eq!(shown["triangles"], lines(&made, "f ").len());
+            for choice in &choices[1..] {
                 let name = choice["domain"]["name"].as_str().unwrap_or_default();
                 assert!(!name.is_empty() && choice["name"] != "domain", "{choice}");
             }

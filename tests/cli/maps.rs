@@ -388,9 +388,17 @@ fn parts_of_a_map_are_compared_one_by_one() {
         .map(|it| it.expect("a file").file_name())
         .collect();
     pages.sort();
-    assert_eq!(pages, ["index.html", "map-1.html", "map-2.html"]);
+    assert_eq!(pages, ["index.html", "map-1.html", "map-1.json", "map-2.html", "map-2.json"]);
     let page = |name: &str| fs::read_to_string(at("reports").join(name)).expect("a page");
     assert!(page("map-1.html").contains(" 2 regions ") && page("index.html").contains("map-2"));
+    // The command of a page makes the mesh of its part, in a file of its own.
+    let part = at("reports").join("map-2.json");
+    let command =
+        format!("mindeg mesh {} --keep-angle 95% -o map-2-keep-angle-95.obj", text(&part));
+    assert!(page("map-2.html").contains(&command), "{command}");
+    let out = at("part.obj");
+    let made = mindeg(["mesh", text(&part), "-o", text(&out), "--json"]).json();
+    assert!(page("map-2.html").contains(&format!("{} boundary vertices", made["vertices"])));
 }
 
 /// Limits of single vertices hold with each goal, and are said to be out of reach where they are.
@@ -520,8 +528,7 @@ fn parts_of_a_map_have_the_same_advice_everywhere() {
         // A row is the mesh of all parts within its degree.
         for row in figures["points"].as_array().expect("rows") {
             let degree = row["max_degree"].to_string();
-            let words =
-                ["mesh", text(&file), "--max-degree", &degree, "--json", "-o", text(&out)];
+            let words = ["mesh", text(&file), "--max-degree", &degree, "--json", "-o", text(&out)];
             let made = mindeg(words).json();
             let [told, is] = [row, &made].map(|it| it["min_angle"].as_f64().expect("an angle"));
             assert!((told - is).abs() < 1e-6, "{name}, {degree}: {told} {is}");

@@ -167,8 +167,7 @@ impl Advice {
     ) -> (Self, Option<InteriorMesh>) {
         let patch = mesh_parts(domains, Goal::KeepAngle(KEPT), progress).ok();
         let wanted = domains.first().map(advised_interior).unwrap_or_default();
-        let solver =
-            interior::mesh_all(domains, &wanted, progress).map_err(|(_, error)| error);
+        let solver = interior::mesh_all(domains, &wanted, progress).map_err(|(_, error)| error);
         let advice = Self::among(
             solver
                 .as_ref()

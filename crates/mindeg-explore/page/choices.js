@@ -31,14 +31,27 @@ const purposeNow = () => Object.keys(PURPOSES).find((name) => {
 /** Offers the purposes; `onView` is called when another mesh is looked at. */
 export function offerPurposes(onView) {
   showViews = onView;
-  element("purposes").append(...Object.entries(PURPOSES).map(([name, { title, what }]) => {
-    const button = make("button", "purpose");
-    button.type = "button";
-    button.dataset.purpose = name;
-    button.append(make("b", "", title), make("span", "figures"), make("small", "", what));
-    button.addEventListener("click", () => choosePurpose(name));
-    return button;
-  }));
+  element("purposes").append(...purposeButtons(choosePurpose));
+}
+
+/** A button for each purpose. */
+export const purposeButtons = (choose) => Object.entries(PURPOSES).map(([name, { title, what }]) => {
+  const button = make("button", "purpose");
+  button.type = "button";
+  button.dataset.purpose = name;
+  button.append(make("b", "", title), make("span", "figures"), make("small", "", what));
+  button.addEventListener("click", () => choose(name));
+  return button;
+});
+
+/** Shows the figures of an advice on the buttons of a box, and which one is pressed. */
+export function showPurposes(box, advice, now) {
+  for (const button of box.children) {
+    const { purpose } = button.dataset;
+    const mesh = advice?.[purpose];
+    button.setAttribute("aria-pressed", String(purpose === now));
+    button.querySelector(".figures").textContent = mesh ? `${angleText(mesh.min_angle)}, degree ${mesh.max_degree}` : advice ? (purpose === "solver" && !advice.no_solver ? "too large to show" : "no mesh") : "";
+  }
 }
 
 let showViews;
@@ -73,12 +86,7 @@ function lookAtView(view) {
 export function showAdvice() {
   const { advice } = shown;
   const now = purposeNow();
-  for (const button of element("purposes").children) {
-    const { purpose } = button.dataset;
-    const mesh = advice?.[purpose];
-    button.setAttribute("aria-pressed", String(purpose === now));
-    button.querySelector(".figures").textContent = mesh ? `${angleText(mesh.min_angle)}, degree ${mesh.max_degree}` : advice ? (purpose === "solver" && !advice.no_solver ? "too large to show" : "no mesh") : "";
-  }
+  showPurposes(element("purposes"), advice, now);
   if (!advice) {
     element("advice").textContent = "…";
     return;

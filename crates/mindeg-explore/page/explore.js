@@ -12,7 +12,7 @@ import {
 } from "./show.js";
 import { Stage, view } from "./stage.js";
 import { selection, shown, state } from "./state.js";
-import { beginSolid, endSolid, startSolid } from "./solid.js";
+import { beginSolid, beginWhole, endSolid, startSolid } from "./solid.js";
 import { hand, offerCopy, offerFiles } from "./take.js";
 
 /** Charts are drawn again after so many milliseconds: they are read, not watched. */
@@ -196,29 +196,36 @@ async function open(file) {
       return await beginSolid(file);
     }
     endSolid();
-    const usable = sources.filter(({ domain }) => domain);
-    if (!usable.length) throw new Error(sources[0]?.message ?? `${file.name} has no polygon.`);
+    const usable = sources.filter(({ domain, map }) => domain || map);
+    const first = usable.find(({ domain }) => domain);
+    if (!first) throw new Error(sources[0]?.message ?? `${file.name} has no polygon.`);
     showTrouble("");
-    beginWith(usable[0]);
-    offerChoices(usable);
+    beginWith(first);
+    offerChoices(usable, first.name);
   } catch (error) {
     showTrouble(error.message);
   }
 }
 
-/** Offers the polygons of a file by name, if there are several. */
-function offerChoices(sources) {
+/** Offers the whole map and the polygons of a file by name, if there are several; one is chosen. */
+function offerChoices(sources, chosen) {
   const box = element("choose");
   box.hidden = sources.length < 2;
   box.replaceChildren(...sources.map((source) => {
     const button = make("button", "", source.name);
     button.type = "button";
-    button.addEventListener("click", () => beginWith(source));
+    button.setAttribute("aria-pressed", String(source.name === chosen));
+    button.addEventListener("click", () => {
+      for (const other of box.children) other.setAttribute("aria-pressed", String(other === button));
+      if (source.map) beginWhole(source.map);
+      else beginWith(source);
+    });
     return button;
   }));
 }
 
 function beginWith({ domain, notes }) {
+  endSolid();
   element("presets").value = "";
   guessAgain();
   begin(domain, notes);
@@ -304,7 +311,11 @@ async function start() {
   startEditing();
   startControls();
   startFiles();
-  startSolid(hand, () => begin(state.domain, shown.sourceNotes));
+  startSolid(hand, () => {
+    // Of a map, a part is chosen anew.
+    for (const button of element("choose").children) button.setAttribute("aria-pressed", "false");
+    begin(state.domain, shown.sourceNotes);
+  });
   offerCopy();
   offerFiles(facts.formats);
   readLooks();
@@ -318,7 +329,7 @@ async function start() {
   const isSolid = source.is_solid && (!kept || kept.solid === source.name);
   const first = source.domain ? source : presets[0];
   begin(kept?.domain ?? first.domain, kept ? [] : first.notes);
-  offerChoices(polygons);
+  offerChoices(polygons, kept ? null : first.name);
   if (facts.purpose && !kept) choosePurpose(facts.purpose);
   if (!isSolid) return;
   try {

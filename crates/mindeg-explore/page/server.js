@@ -51,12 +51,17 @@ export async function condition(domain, angle, size, within) {
   return (await ask(`/api/condition?${query}`, { method: "POST", body: JSON.stringify({ domain }) })).json();
 }
 
+/** A file that is answered, under its name. */
+async function namedBlob(response) {
+  const named = response.headers.get("Content-Disposition")?.match(/filename="([^"]+)"/);
+  return { blob: await response.blob(), name: named?.[1] ?? null };
+}
+
 /** One file of a mesh, as a blob. */
 export async function download(request, format, view, file) {
   const path = `/api/download?format=${encodeURIComponent(format)}&view=${view}&file=${file}`;
   const response = await ask(path, { method: "POST", body: JSON.stringify(request) });
-  const named = response.headers.get("Content-Disposition")?.match(/filename="([^"]+)"/);
-  return { blob: await response.blob(), name: named?.[1] ?? null };
+  return namedBlob(response);
 }
 
 const solidQuery = (file, change, more) => new URLSearchParams({ name: file.name, change, ...more });
@@ -69,8 +74,7 @@ export async function solid(file, change, more) {
 /** A file of it, as a blob. */
 export async function solidFile(file, change, format, more) {
   const response = await ask(`/api/solid/file?${solidQuery(file, change, { format, ...more })}`, { method: "POST", body: await file.arrayBuffer() });
-  const named = response.headers.get("Content-Disposition")?.match(/filename="([^"]+)"/);
-  return { blob: await response.blob(), name: named?.[1] ?? null };
+  return namedBlob(response);
 }
 
 /** Keeps a state and puts its name into the address. */
@@ -80,3 +84,15 @@ export async function keepState(name, value) {
 }
 
 export const newName = () => crypto.randomUUID();
+
+/** The mesh of all parts of a map for a purpose; without one, for the advised one, with the advice. */
+export async function whole(map, purpose) {
+  const query = new URLSearchParams(purpose ? { purpose } : {});
+  return (await ask(`/api/whole?${query}`, { method: "POST", body: JSON.stringify(map) })).json();
+}
+
+/** A file of it, as a blob. */
+export async function wholeFile(map, purpose, format) {
+  const response = await ask(`/api/whole/file?${new URLSearchParams({ purpose, format })}`, { method: "POST", body: JSON.stringify(map) });
+  return namedBlob(response);
+}

@@ -1,7 +1,9 @@
-// A surface in space: it is turned, meshed anew, filled or bridged, with before and after side by side.
+// A surface in space: it is turned, meshed anew, filled or bridged, with before and after side by side; and the mesh of a whole
+// map, whose parts are edited one by one.
 // From the scripts of the viewer: SpaceStage, angleText, make, pageColors, unpack, showDegreeLegend.
 
 import { keep } from "./asking.js";
+import { purposeButtons, showPurposes } from "./choices.js";
 import * as server from "./server.js";
 import { element, several, showTrouble } from "./show.js";
 import { state } from "./state.js";
@@ -10,6 +12,9 @@ import { state } from "./state.js";
 const MEASURE = { name: "min_angle", title: "Minimum angle", unit: "degrees", higher_is_better: true, logarithmic: false, range: [0, 60], goes_beyond: [false, false] };
 
 let file = null;
+/** The map that is shown in place of a surface: what the server sent of it, and the advice on it. */
+let map = null;
+let advice = null;
 let shownNow = [];
 
 /** Takes a file with a surface, and shows it in place of the boundary. */
@@ -17,18 +22,60 @@ export async function beginSolid(dropped) {
   file = dropped;
   state.solid = file.name;
   keep();
-  document.body.classList.add("solid");
-  element("solid").hidden = false;
-  element("title").textContent = file.name;
-  element("facts").textContent = "A surface in space";
+  open(file.name, "A surface in space");
   // The buttons of the map before.
   element("choose").hidden = true;
   await show("nothing");
 }
 
+/** Takes the section, for a surface or for a map. */
+function open(title, facts) {
+  document.body.classList.add("solid");
+  element("solid").hidden = false;
+  for (const id of ["solid-changes", "solid-loops", "solid-thick"]) element(id).hidden = Boolean(map);
+  element("whole-purposes").hidden = !map;
+  element("solid-title").textContent = map ? "What is the mesh for?" : "What should become of the surface?";
+  element("title").textContent = title;
+  element("facts").textContent = facts;
+}
+
+/** Takes a map of several parts, and shows the mesh of all of them in place of the boundary. */
+export async function beginWhole(chosen) {
+  endSolid();
+  map = chosen;
+  open(map.name, `The whole map · ${several(map.parts.length, "part")}`);
+  await showWhole();
+}
+
+/** Shows the mesh of the map for a purpose, or else the one that is advised. */
+async function showWhole(purpose) {
+  const own = map;
+  element("solid-words").textContent = "Working …";
+  element("solid-download").hidden = true;
+  showPurposes(element("whole-purposes"), advice, purpose);
+  try {
+    const found = await server.whole(own, purpose);
+    if (map !== own) return;
+    advice ??= found.advice;
+    showPurposes(element("whole-purposes"), advice, found.purpose);
+    shownNow = [figure("The whole map", found)];
+    element("solid-meshes").replaceChildren(shownNow[0].figure);
+    shownNow[0].draw();
+    const words = advice?.words.find(([name]) => name === found.purpose)?.[1];
+    element("solid-words").textContent = [words, found.words].filter(Boolean).join(" ");
+    element("solid-command").textContent = found.command;
+    made = { purpose: found.purpose };
+    element("solid-download").hidden = false;
+  } catch (error) {
+    if (map !== own) return;
+    element("solid-words").textContent = "";
+    showTrouble(error.message);
+  }
+}
+
 /** Goes back to boundaries. */
 export function endSolid() {
-  file = null;
+  file = map = advice = null;
   state.solid = null;
   document.body.classList.remove("solid");
   element("solid").hidden = true;
@@ -98,6 +145,8 @@ function figure(title, found) {
     },
     hasDots: () => true,
   });
+  // A map lies in the plane.
+  if (map) space.camera.face([0, 0, 1], [0, 1, 0]);
   space.color(MEASURE);
   const rim = found.first_new === null ? [] : rimOf(scene.triangles.subarray(3 * found.first_new));
   space.emphasize(rim);
@@ -148,13 +197,15 @@ function listLoops(loops, vertices) {
 /** Makes the buttons work; `hand(blob, name)` gives a file to the browser, `onEnd` goes on with the boundary. */
 export function startSolid(hand, onEnd) {
   for (const change of ["remesh", "fill", "bridge"]) element(`solid-${change}`).addEventListener("click", () => show(change));
+  element("whole-purposes").append(...purposeButtons(showWhole));
   element("solid-end").addEventListener("click", () => {
     endSolid();
     onEnd();
   });
   element("solid-download").addEventListener("click", async () => {
     try {
-      const { blob, name } = await server.solidFile(file, made.change, element("solid-format").value, made.more);
+      const format = element("solid-format").value;
+      const { blob, name } = await (map ? server.wholeFile(map, made.purpose, format) : server.solidFile(file, made.change, format, made.more));
       hand(blob, name ?? "surface.obj");
     } catch (error) {
       showTrouble(error.message);

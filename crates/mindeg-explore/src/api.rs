@@ -18,6 +18,8 @@
 //! | `POST /api/divide?size=1` | [`Request`] | the domain with all sides divided into edges of a length |
 //! | `POST /api/solid?name=FILE&change=CHANGE` | a file's bytes | the surface in it, after `nothing`, `remesh`, `fill` or `bridge`; also `size`, `loops`, `interior` |
 //! | `POST /api/solid/file?name=FILE&change=CHANGE&format=NAME` | a file's bytes | the bytes of a file of it |
+//! | `POST /api/whole?purpose=solver` | [`WholeMap`] | the mesh of all parts of a map; also `advice` without `purpose` |
+//! | `POST /api/whole/file?purpose=solver&format=NAME` | [`WholeMap`] | the bytes of a file of it |
 //! | `POST /api/download?format=NAME&view=VIEW&file=0` | [`Request`] | the bytes of a file of the mesh |
 //! | `PUT /api/state/ID`, `GET /api/state/ID` | any JSON | kept while the process runs |
 //!
@@ -50,6 +52,7 @@ use serde_json::value::RawValue;
 use crate::format::format_named;
 pub use crate::line::*;
 pub use crate::part::{Part, View};
+pub use crate::whole::WholeMap;
 
 /// The request of the page.
 ///
@@ -103,6 +106,8 @@ pub struct Source {
     pub message: Option<String>,
     /// Whether the file holds a surface instead, for `/api/solid`.
     pub is_solid: bool,
+    /// All parts of the file together, for `/api/whole`; that has no one domain.
+    pub map: Option<WholeMap>,
 }
 
 /// The facts that the page shows but does not work out.

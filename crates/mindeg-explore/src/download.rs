@@ -1,7 +1,7 @@
 //! The files of a mesh.
 
-use mindeg_files::{WriteOptions, Writer, in_degrees};
-use mindeg_mesh::{Progress, Triangles, Written};
+use mindeg_files::{Format, WriteOptions, Writer, in_degrees};
+use mindeg_mesh::{Mesh, Progress, Written};
 use std::path::PathBuf;
 
 use crate::answer::understood;
@@ -34,17 +34,30 @@ pub(crate) fn download(
     let (request, domain) = understood(body).map_err(|(message, _)| message)?;
     let view = view.unwrap_or(request.view);
     let stem = file_stem(&domain, view, request.goal);
+    let made = Made::new(&domain, &request, view, progress)?;
+    let projection = domain.projection().copied().filter(|_| format.in_degrees());
+    let degrees = projection.map(|projection| move |point| in_degrees(&projection, point));
+    let place = degrees.as_ref().map(|place| place as _);
+    written(&Written { mesh: made.mesh(), made_by: None, place }, format, &stem, file)
+}
+
+/// A mesh as a file of a format, by the place of the file among those of the format.
+///
+/// # Errors
+///
+/// The error, in a sentence.
+pub(crate) fn written(
+    mesh: &dyn Mesh,
+    format: Format,
+    stem: &str,
+    file: usize,
+) -> Result<Download, String> {
     let path = PathBuf::from(format!("{stem}.{}", format.extension()));
     let names: Vec<String> =
         format.files(&path).iter().map(|path| path.display().to_string()).collect();
     let name = names.get(file).cloned();
     let name = name.ok_or_else(|| format!("this format has {} files", names.len()))?;
-    let made = Made::new(&domain, &request, view, progress)?;
-    let projection = domain.projection().copied().filter(|_| format.in_degrees());
-    let degrees = projection.map(|projection| move |point| in_degrees(&projection, point));
-    let place = degrees.as_ref().map(|place| place as _);
-    let mesh = &Written { mesh: made.mesh(), made_by: None, place };
-    let written = || {
+    let contents = || {
         let writer = Writer::new(format, WriteOptions::default(), mesh, mesh.triangle_count())?;
         let mut contents = vec![Vec::new(); names.len()];
         let mut files: Vec<(&str, &mut Vec<u8>)> =
@@ -52,7 +65,7 @@ pub(crate) fn download(
         writer.write(mesh, &mut files, Progress::NONE)?;
         Ok(contents)
     };
-    let mut contents = written().map_err(|error: mindeg_files::WriteError| error.to_string())?;
+    let mut contents = contents().map_err(|error: mindeg_files::WriteError| error.to_string())?;
     Ok(Download { name, bytes: contents.swap_remove(file) })
 }
 

@@ -43,6 +43,7 @@ mod solid;
 mod states;
 mod terms;
 mod token;
+mod whole;
 mod work;
 
 pub use answer::{MAX_VERTICES, answer};
@@ -53,3 +54,4 @@ pub use presets::presets;
 pub use reading::{REPAIRED, repaired_if_refused, sources};
 pub use server::{Server, ServerError};
 pub use setup::Setup;
+pub use whole::WholeMap;

@@ -39,6 +39,7 @@ pub fn presets() -> Vec<Source> {
         notes: Vec::new(),
         message: None,
         is_solid: false,
+        map: None,
     };
     PRESETS.iter().map(preset).collect()
 }

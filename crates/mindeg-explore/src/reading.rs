@@ -1,6 +1,7 @@
 //! Domains in files of any format that mindeg takes.
 
 use mindeg::{Domain, Progress};
+use mindeg_answers::command::file_word;
 use mindeg_answers::names::part_name;
 use mindeg_files::{Content, FileError, Input, Polygon, PolygonFile, ReadOptions, Session, Wanted};
 use serde_json::value::RawValue;
@@ -9,6 +10,7 @@ use std::path::Path;
 use crate::answer::MAX_VERTICES;
 use crate::api::Source;
 use crate::terms::without_options;
+use crate::whole::WholeMap;
 
 /// The most polygons of a file that are given.
 const MOST: usize = 200;
@@ -37,14 +39,15 @@ pub const REPAIRED: &str = "Rings touched or crossed, or polygons overlapped; th
 pub fn sources(session: &Session, input: &Input<'_>) -> Result<Vec<Source>, FileError> {
     let refused = |found: &Found| {
         let sources = found.sources.iter();
-        let alone = sources.filter(|source| source.domain.is_none() && !source.is_solid).count();
+        let alone = sources.filter(|source| source.message.is_some() && !source.is_solid).count();
         alone + usize::from(found.no_map.is_some())
     };
     let read = |repair| read(session, input, &ReadOptions { repair, ..ReadOptions::default() });
     let (mut found, is_repaired) = repaired_if_refused(read, refused)?;
     if is_repaired {
-        for source in found.sources.iter_mut().filter(|source| source.domain.is_some()) {
+        for source in found.sources.iter_mut().filter(|source| source.message.is_none()) {
             source.notes.insert(0, REPAIRED.to_owned());
+            source.map = source.map.take().map(|map| map.with_option("--repair"));
         }
     }
     Ok(found.told())
@@ -139,7 +142,9 @@ fn read(session: &Session, input: &Input<'_>, options: &ReadOptions) -> Result<F
             };
             let domain = RawValue::from_string(text).ok();
             let notes = Vec::new();
-            return Ok(Source { name, domain, notes, message: None, is_solid: false }.into());
+            return Ok(
+                Source { name, domain, notes, message: None, is_solid: false, map: None }.into()
+            );
         }
         Content::Mesh(_) => return Ok(solid(name).into()),
     };
@@ -147,11 +152,12 @@ fn read(session: &Session, input: &Input<'_>, options: &ReadOptions) -> Result<F
     if count > MOST {
         polygons.notes.push(format!("The first {MOST} of {count} polygons are given."));
     }
-    let (mut sources, no_map) = match maps(&polygons, stem(input).as_deref()) {
+    let (mut sources, no_map) = match maps(&polygons, stem(input).as_deref(), &name) {
         Ok(sources) => (sources, None),
         Err(error) => (Vec::new(), Some(error.to_string())),
     };
-    let singly = polygons.polygons.iter().take(MOST - sources.len());
+    let maps = sources.iter().filter(|source| source.domain.is_some()).count();
+    let singly = polygons.polygons.iter().take(MOST - maps);
     sources.extend(singly.map(|polygon| source(&polygons, polygon)));
     Ok(Found { sources, no_map })
 }
@@ -170,12 +176,14 @@ fn with_name(text: &str, name: &str) -> String {
     text.replacen('{', &format!("{{\"name\": \"{name}\", "), 1)
 }
 
-/// The maps of polygons that share edges; a polygon that shares none is no map.
-fn maps(polygons: &PolygonFile, stem: Option<&str>) -> Result<Vec<Source>, FileError> {
+/// All parts together where there are several, then the maps of polygons that share edges; a polygon that shares none is no map.
+fn maps(polygons: &PolygonFile, stem: Option<&str>, file: &str) -> Result<Vec<Source>, FileError> {
     if polygons.polygons.len() < 2 {
         return Ok(Vec::new());
     }
     let (domains, notes) = polygons.maps()?;
+    let name = polygons.name().or(stem).unwrap_or("map");
+    let whole = Source::whole(name, &[file_word(file)], &domains);
     let parts = domains.iter().enumerate().filter(|(_, domain)| domain.inside().regions.len() > 1);
     let source = |(index, domain): (usize, &Domain)| {
         let name = match &domains[..] {
@@ -192,13 +200,13 @@ fn maps(polygons: &PolygonFile, stem: Option<&str>) -> Result<Vec<Source>, FileE
         let named = called.and_then(|called| domain.clone().named(called).ok());
         Source { name, notes, ..Source::of(named.as_ref().unwrap_or(domain)) }
     };
-    Ok(parts.take(MOST).map(source).collect())
+    Ok(whole.into_iter().chain(parts.take(MOST).map(source)).collect())
 }
 
 /// A file that holds a surface, or a whole model, whose mesh is one.
 fn solid(name: String) -> Source {
     let message = Some("it is a mesh; a domain is expected".to_owned());
-    Source { name, domain: None, notes: Vec::new(), message, is_solid: true }
+    Source { name, domain: None, notes: Vec::new(), message, is_solid: true, map: None }
 }
 
 fn source(polygons: &PolygonFile, polygon: &Polygon) -> Source {
@@ -215,6 +223,14 @@ impl Source {
         let name = domain.name().unwrap_or("domain").to_owned();
         let points = domain.rings().vertex_count() as usize;
         given(name, Vec::new(), points, || Ok(domain.clone()))
+    }
+
+    /// All parts of a file together, if there are several; the words name the file.
+    #[must_use]
+    pub fn whole(name: &str, words: &[String], domains: &[Domain]) -> Option<Self> {
+        let map = Some(WholeMap::of(name, words, domains)?);
+        let (name, notes) = ("the whole map".to_owned(), Vec::new());
+        Some(Self { name, domain: None, notes, message: None, is_solid: false, map })
     }
 }
 
@@ -233,10 +249,10 @@ fn given(
     match domain {
         Ok(domain) => {
             let domain = RawValue::from_string(domain.to_json()).ok();
-            Source { name, domain, notes, message: None, is_solid: false }
+            Source { name, domain, notes, message: None, is_solid: false, map: None }
         }
         Err(message) => {
-            Source { name, domain: None, notes, message: Some(message), is_solid: false }
+            Source { name, domain: None, notes, message: Some(message), is_solid: false, map: None }
         }
     }
 }
@@ -258,9 +274,9 @@ mod tests {
             [(MOST, None), (MOST + 2, Some("The first 200 of 202 polygons are given."))]
         {
             let given = drawing(count);
-            assert_eq!(given.len(), MOST);
-            assert!(given.iter().all(|source| source.domain.is_some()));
-            let note = given[0].notes.iter().find(|note| note.starts_with("The first"));
+            assert_eq!(given.len(), MOST + 1);
+            assert!(given[0].map.is_some() && given[1..].iter().all(|it| it.domain.is_some()));
+            let note = given[1].notes.iter().find(|note| note.starts_with("The first"));
             assert_eq!(note.map(String::as_str), expected);
         }
     }
@@ -273,7 +289,7 @@ mod tests {
             sources(&Session::new(""), &input).unwrap()
         };
         let bow = given("[[0, 0], [2, 2], [2, 0], [0, 2], [0, 0]]");
-        assert!(!bow.is_empty() && bow.iter().all(|source| source.domain.is_some()));
+        assert!(!bow.is_empty() && bow.iter().all(|source| source.message.is_none()));
         assert_eq!(bow[0].notes[0], REPAIRED);
         let sound = given("[[0, 0], [2, 0], [2, 2], [0, 2], [0, 0]]");
         assert!(sound[0].domain.is_some() && !sound[0].notes.contains(&REPAIRED.to_owned()));
@@ -332,7 +348,11 @@ mod tests {
             let input = Input::Bytes("land.geojson", file.as_bytes());
             let sources = sources(&Session::new(""), &input).unwrap();
             let regions = |source: &Source| {
-                let domain = Domain::from_json(source.domain.as_ref().unwrap().get()).unwrap();
+                let Some(domain) = &source.domain else {
+                    assert!(source.map.is_some());
+                    return (source.name.clone(), 0);
+                };
+                let domain = Domain::from_json(domain.get()).unwrap();
                 (source.name.clone(), domain.inside().regions.len())
             };
             sources.iter().map(regions).collect()
@@ -342,9 +362,10 @@ mod tests {
         };
         let [a, b, c] = [("a", 0), ("b", 1), ("c", 5)];
         assert_eq!(given(&[a, b]), listed(&[("land", 2), ("a", 0), ("b", 0)]));
-        let expected = [("part 1 (a, …)", 2), ("a", 0), ("b", 0), ("c", 0)];
+        let whole = ("the whole map", 0);
+        let expected = [whole, ("part 1 (a, …)", 2), ("a", 0), ("b", 0), ("c", 0)];
         assert_eq!(given(&[a, b, c]), listed(&expected));
-        assert_eq!(given(&[a, c]), listed(&[("a", 0), ("c", 0)]));
+        assert_eq!(given(&[a, c]), listed(&[whole, ("a", 0), ("c", 0)]));
     }
 
     #[test]

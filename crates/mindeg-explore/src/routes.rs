@@ -35,6 +35,7 @@ use crate::setup::Setup;
 use crate::solid;
 use crate::states::States;
 use crate::terms::without_options;
+use crate::whole;
 use crate::work::{TIME_LIMIT, Work, Works};
 
 const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; \
@@ -82,6 +83,8 @@ pub(crate) fn router(all: Arc<All>) -> Router {
         .route("/api/divide", post(divides))
         .route("/api/solid", post(solids))
         .route("/api/solid/file", post(solid_files))
+        .route("/api/whole", post(wholes))
+        .route("/api/whole/file", post(whole_files))
         .route("/api/download", post(downloads))
         .route("/api/state/{id}", get(state).put(keep_state))
         .fallback(async || refused(StatusCode::NOT_FOUND, "there is nothing at this address"))
@@ -320,6 +323,30 @@ async fn solid_files(
     let wanted = asked(query)?;
     let bytes = body(request).await?;
     let file = worked(&all, move |progress| solid::file(&wanted, &bytes, progress)).await?;
+    Ok(attached(file))
+}
+
+/// The mesh of a whole map.
+async fn wholes(
+    State(all): State<Arc<All>>,
+    query: Asked<whole::Asked>,
+    request: Request,
+) -> Result<Response, Refusal> {
+    let wanted = asked(query)?;
+    let bytes = body(request).await?;
+    let shown = worked(&all, move |progress| whole::shown(&wanted, &bytes, progress));
+    Ok(json(&shown.await?))
+}
+
+/// A file of the mesh of a whole map.
+async fn whole_files(
+    State(all): State<Arc<All>>,
+    query: Asked<whole::Asked>,
+    request: Request,
+) -> Result<Response, Refusal> {
+    let wanted = asked(query)?;
+    let bytes = body(request).await?;
+    let file = worked(&all, move |progress| whole::file(&wanted, &bytes, progress)).await?;
     Ok(attached(file))
 }
 

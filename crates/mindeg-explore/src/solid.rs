@@ -1,7 +1,5 @@
 //! Surfaces in space: what a file holds, and what it becomes when it is meshed anew, filled or bridged.
 
-use std::path::PathBuf;
-
 use mindeg::bridge::{BridgeOptions, bridge};
 use mindeg::fill::{FillOptions, fill};
 use mindeg::glam::DVec3;
@@ -14,13 +12,13 @@ use mindeg_answers::loops::{BridgeAnswer, FillAnswer, LoopName};
 use mindeg_answers::model::ModelAnswer;
 use mindeg_answers::numbers::{steady_angle, triangles};
 use mindeg_answers::remesh::RemeshAnswer;
-use mindeg_files::{Content, Input, ReadOptions, Session, Wanted, WriteOptions, Writer};
+use mindeg_files::{Content, Input, ReadOptions, Session, Wanted};
 use mindeg_mesh::{Progress, Triangles};
 use serde::{Deserialize, Serialize};
 
 use crate::arrays::{f32s, u32s};
 use crate::command::KnownFiles;
-use crate::download::Download;
+use crate::download::{Download, written};
 use crate::format::format_named;
 use crate::terms::without_options;
 
@@ -160,6 +158,26 @@ pub(crate) fn shown(
     progress: Progress<'_>,
 ) -> Result<SolidShown, String> {
     let Changed { mesh, words, first_new, is_model } = changed(asked, bytes, progress)?;
+    let name = mesh.name().unwrap_or(&asked.name).to_owned();
+    let drawn = drawn(&mesh)?;
+    let words = if words.is_empty() { drawn.words.clone() } else { words };
+    let command = command(asked, known, is_model);
+    Ok(SolidShown { first_new, ..drawn.told(name, &words, command) })
+}
+
+impl SolidShown {
+    /// The same with its name, what is known of it in sentences, and the command that writes it.
+    pub(crate) fn told(self, name: String, words: &str, command: String) -> Self {
+        Self { name, words: without_options(words), command, ..self }
+    }
+}
+
+/// A mesh as the page draws it, with its figures in a sentence.
+///
+/// # Errors
+///
+/// More triangles than the page shows.
+pub(crate) fn drawn(mesh: &TriMesh) -> Result<SolidShown, String> {
     if mesh.triangles().len() > MAX_TRIANGLES {
         return Err(format!(
             "the surface has {} triangles; the page shows up to {MAX_TRIANGLES}, mindeg view any number",
@@ -180,7 +198,7 @@ pub(crate) fn shown(
     let degrees = mesh.degrees();
     let max_degree = degrees.iter().copied().max().unwrap_or(0);
     let min_angle = least.map_or(0.0, |worst| qualities[worst].min_angle);
-    let loops = Loops::of(&mesh);
+    let loops = Loops::of(mesh);
     let listed = loops.list().iter().enumerate();
     let counts = format!(
         "{} vertices, {}, maximum degree {max_degree}, minimum angle {}.",
@@ -189,9 +207,9 @@ pub(crate) fn shown(
         steady_angle(min_angle)
     );
     Ok(SolidShown {
-        name: mesh.name().unwrap_or(&asked.name).to_owned(),
-        command: command(asked, known, is_model),
-        words: if words.is_empty() { counts } else { without_options(&words) },
+        name: String::new(),
+        command: String::new(),
+        words: counts,
         vertices: positions.len(),
         triangles: qualities.len(),
         max_degree,
@@ -205,7 +223,7 @@ pub(crate) fn shown(
         max_degree_vertex: degrees.iter().position(|&it| it == max_degree).unwrap_or(0) as u32,
         loops: listed.map(|(index, found)| LoopName::new(index, found).text()).collect(),
         loop_vertices: loops.list().iter().map(|it| u32s(it.vertices.iter().copied())).collect(),
-        first_new,
+        first_new: None,
     })
 }
 
@@ -222,19 +240,7 @@ pub(crate) fn file(
     let format = format_named(&asked.format)
         .ok_or_else(|| format!("no format {:?} is written here", asked.format))?;
     let Changed { mesh, .. } = changed(asked, bytes, progress)?;
-    let path = PathBuf::from(format!("{}.{}", asked.stem(), format.extension()));
-    let names: Vec<String> =
-        format.files(&path).iter().map(|path| path.display().to_string()).collect();
-    let written = || {
-        let writer = Writer::new(format, WriteOptions::default(), &mesh, mesh.triangle_count())?;
-        let mut contents = vec![Vec::new(); names.len()];
-        let mut files: Vec<(&str, &mut Vec<u8>)> =
-            names.iter().map(String::as_str).zip(&mut contents).collect();
-        writer.write(&mesh, &mut files, Progress::NONE)?;
-        Ok(contents)
-    };
-    let mut contents = written().map_err(|error: mindeg_files::WriteError| error.to_string())?;
-    Ok(Download { name: names[0].clone(), bytes: contents.swap_remove(0) })
+    written(&mesh, format, &asked.stem(), 0)
 }
 
 /// The surface in a file; of a whole model, its mesh of least degree, and how it was made.
