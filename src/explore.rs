@@ -1,6 +1,6 @@
 //! `mindeg explore`: a page to edit a boundary on.
 
-use crate::args::{DomainArguments, ExploreArguments};
+use crate::args::{DomainArguments, ExploreArguments, Length};
 use crate::bar::Bar;
 use crate::browser::open;
 use crate::domain::subject;
@@ -12,7 +12,7 @@ use crate::terminal::say;
 use mindeg::Domain;
 use mindeg_answers::names::part_name;
 use mindeg_explore::{
-    KnownFiles, MAX_BYTES, REPAIRED, Server, ServerError, Setup, Source, presets,
+    Divide, KnownFiles, MAX_BYTES, REPAIRED, Server, ServerError, Setup, Source, presets,
     repaired_if_refused, sources,
 };
 use mindeg_files::{Input, Wanted};
@@ -31,7 +31,8 @@ pub(crate) fn run(arguments: &ExploreArguments) -> Result<(), Failure> {
     clean_up_on_interrupt()?;
     let purpose = arguments.purpose.purpose;
     let port = arguments.port.unwrap_or(0);
-    let setup = Setup { port, start, choices, surface, known, purpose };
+    let divide = divider(&arguments.domain);
+    let setup = Setup { port, start, choices, divide: Some(divide), surface, known, purpose };
     let failed = |error: ServerError| Failure::Io(error.to_string());
     let server = Server::new(setup).map_err(failed)?;
     let address = server.address();
@@ -53,7 +54,10 @@ fn start(
     let (source, choices) = match file {
         None if words.is_empty() => return Ok((None, Vec::new())),
         // Without options, rings that cross are repaired, too.
-        Some(file) if words.len() == 1 => of_file(file, &words, known)?,
+        Some(file) if words.len() == 1 => {
+            let size = arguments.options.size.map(|size| size.value);
+            of_file(file, &words, size, known)?
+        }
         _ => {
             let (domains, is_repaired) = domains(arguments)?;
             let several = domains.len() > 1;
@@ -86,6 +90,20 @@ fn start(
         Some(problem) => Err(Failure::Input(format!("{}: {problem}", source.name))),
         None => Ok((Some(source), choices)),
     }
+}
+
+/// Reads the same anew, with a length for all edges.
+fn divider(arguments: &DomainArguments) -> Divide {
+    let arguments = arguments.clone();
+    Divide::new(move |size| {
+        let mut arguments = arguments.clone();
+        arguments.options.size = Some(Length { value: size, is_metric: false });
+        arguments.options.intervals = None;
+        let read = start(&arguments, &mut KnownFiles::default());
+        let (first, all) =
+            read.map_err(|failure| failure.message().unwrap_or_default().to_owned())?;
+        Ok(if all.is_empty() { first.into_iter().collect() } else { all })
+    })
 }
 
 /// The domains that the arguments describe, repaired where they are none otherwise, and whether they are.
@@ -121,11 +139,12 @@ fn surface(arguments: &DomainArguments) -> Result<Vec<u8>, Failure> {
 fn of_file(
     path: &Path,
     words: &[String],
+    size: Option<f64>,
     known: &mut KnownFiles,
 ) -> Result<(Source, Vec<Source>), Failure> {
     let input = Input::of(path);
     let name = input.name();
-    let mut sources = sources(&SESSION, &input)?;
+    let mut sources = sources(&SESSION, &input, size)?;
     let count = sources.len();
     if let Some(at) = sources.iter().position(|source| source.is_solid) {
         // The page asks for it under the name of the file alone.

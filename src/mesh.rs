@@ -15,8 +15,8 @@ use crate::failure::Failure;
 use crate::making::Making;
 use crate::provenance::mesh_command_again;
 use mindeg::MeshError;
-use mindeg::{Domain, Goal, Meshed, Progress};
-use mindeg_answers::advice::Advice;
+use mindeg::{Domain, FoundBy, Goal, Meshed, Progress};
+use mindeg_answers::advice::{Advice, Purpose};
 use mindeg_answers::mesh::{self as words, MeshAnswer};
 use mindeg_exact::{MAX_VERTICES, Unsolved};
 use mindeg_files::Wanted;
@@ -128,10 +128,31 @@ fn mesh_of(domain: &Domain, arguments: &MeshArguments, output: &[PathBuf]) -> Re
     };
     let hints = || {
         let file = arguments.domain.file.as_deref();
-        advice().map(|advice| advice.hints(&mesh_command_again(domain, file)))
+        let command = || mesh_command_again(domain, file);
+        let advice = advice();
+        // A patch of the same degree is that mesh.
+        let patch = advice.as_ref().and_then(|advice| advice.patch);
+        let is_named = patch.is_some_and(|patch| patch.max_degree <= answer.max_degree);
+        let more = arguments.goal.is_empty() && !is_named && has_more(&meshed, &answer);
+        let more = more.then(|| {
+            format!(
+                "hint: a search that takes longer may give a larger angle at this degree:\n{}",
+                command().advised(Purpose::Fewest)
+            )
+        });
+        let advice = advice.map(|advice| advice.hints(&command()));
+        let lines: Vec<String> = more.into_iter().chain(advice).collect();
+        (!lines.is_empty()).then(|| lines.join("\n"))
     };
     made.say(|| text(&meshed, goal, &answer, hints()), || &answer)?;
     end
+}
+
+/// Whether the search for the largest angle, which is left out for its cost, may find a larger one at the same degree.
+fn has_more(meshed: &Meshed, answer: &MeshAnswer) -> bool {
+    meshed.found_by != FoundBy::Search
+        && meshed.mesh.vertex_count() <= MAX_VERTICES
+        && answer.share_of_limit.is_some_and(|share| share < 1.0)
 }
 
 /// What gives a domain that is too large for its limits a mesh.

@@ -12,7 +12,7 @@ pub(crate) fn run(request: &[u8]) {
     if first == b'f' {
         let Some(end) = bytes.iter().position(|&byte| byte == b'\n') else { return };
         let name = String::from_utf8_lossy(&bytes[..end]);
-        match sources(&Session::new(""), &Input::Bytes(&name, &bytes[end + 1..])) {
+        match sources(&Session::new(""), &Input::Bytes(&name, &bytes[end + 1..]), None) {
             Ok(sources) => {
                 assert!(sources.iter().all(|it| it.domain.is_some() != it.message.is_some()))
             }

@@ -162,7 +162,7 @@ const watch = (page) => page.evaluate(async () => {
     const [figures, words, name] = [".figures", ".words-of", "h3"].map((part) => document.querySelector(`.mesh ${part}`).textContent);
     window.claims.push({
       title: document.querySelector("#title").textContent, name, figures, words, facts: document.querySelector("#facts").textContent,
-      cards: [...document.querySelectorAll(".purpose .figures")].map((it) => it.textContent), advice: document.querySelector("#advice").textContent,
+      cards: [...document.querySelectorAll("#purposes .figures")].map((it) => it.textContent), advice: document.querySelector("#advice").textContent,
       domain: shown.domain?.name ?? "", drawn: shown.meshes.interior?.words ?? "", isHeld: selection.drag !== null,
     });
     if (window.claims.length < 3000) requestAnimationFrame(look);
@@ -205,7 +205,7 @@ test("no figures stand under points inside but those of a mesh with points insid
 
 test("of another domain no figures are shown until its own are there", async () => {
   const page = await openNew();
-  const old = await page.locator(".purpose .figures").allTextContents();
+  const old = await page.locator("#purposes .figures").allTextContents();
   const advice = await text(page, "#advice");
   assert.ok(old.every((it) => /°/.test(it)), old.join(" "));
   await watch(page);
@@ -305,6 +305,22 @@ test("parts that share no edge are one map, whose mesh is shown and downloaded b
   await answered(page);
   assert.deepEqual(await pressed(), [names[2]]);
   assert.ok(await page.locator("#solid").isHidden());
+  await page.context().close();
+});
+
+test("all sides of a file are divided as --size divides its curves, until a corner is moved", async () => {
+  const page = await openNew();
+  const icon = join(domains, "../outlines/icon.svg");
+  await dropFile(page, "icon.svg", readFileSync(icon));
+  await page.waitForFunction(() => document.querySelector("#title").textContent === "icon");
+  await answered(page);
+  await page.fill("#edge-size", "4");
+  await page.click("#divide");
+  await page.waitForFunction(() => document.querySelector("#condition-words").textContent.startsWith("All sides get edges"));
+  await answered(page);
+  const made = spawnSync(binary, ["mesh", icon, "--size", "4", "--interior", "--json", "-o", join(work, "icon.obj")], { encoding: "utf8" });
+  const { min_angle: angle, max_degree: degree } = JSON.parse(made.stdout);
+  assert.equal((await page.locator("#purposes .figures").first().textContent()), `${angle.toFixed(3)}°, degree ${degree}`);
   await page.context().close();
 });
 

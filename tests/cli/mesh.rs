@@ -295,3 +295,37 @@ fn the_same_input_gives_the_same_bytes() {
         assert_eq!(bytes(format), bytes(format), "{format}");
     }
 }
+
+/// With few points and holes, plain `mesh` has the mesh of the trade-off's first row; with more it names the command for it.
+#[test]
+fn the_first_row_is_what_mesh_makes_or_names() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = |name: &str| folder.path().join(name);
+    let (file, out) = (at("slit.json"), at("slit.obj"));
+    let angle = |found: &serde_json::Value| found["min_angle"].as_f64().expect("an angle");
+    let part = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/outlines/part.dxf");
+    let made = mindeg(["mesh", part, "-o", text(&out), "--json"]).json();
+    let rows = mindeg(["tradeoff", part, "--json"]).json();
+    let first = &rows["points"][0];
+    assert_eq!(first["max_degree"], made["max_degree"]);
+    assert!((angle(first) - angle(&made)).abs() < 1e-6, "{first} {made}");
+
+    let ten = |count: usize| vec![serde_json::json!({"intervals": 10}); count];
+    let mut sides = ten(4);
+    (sides[0], sides[2]) =
+        (serde_json::json!({"intervals": 100}), serde_json::json!({"intervals": 20}));
+    let hole = [[4.5, 1.0], [5.5, 1.0], [5.5, 2.0], [4.5, 2.0]];
+    let slit = serde_json::json!({"rectangle": {"width": 10, "height": 3}, "sides": sides,
+        "holes": [{"corners": hole, "sides": ten(4)}]});
+    fs::write(&file, slit.to_string()).expect("a file");
+    let run = mindeg(["mesh", text(&file), "-o", text(&out), "--json"]);
+    let told = mindeg(["mesh", text(&file), "-o", text(&out)]).errors;
+    let hint = "hint: a search that takes longer may give a larger angle at this degree:\n";
+    let (_, rest) = told.split_once(hint).unwrap_or_else(|| panic!("{told}"));
+    let line = rest.lines().next().expect("a command");
+    assert!(line.starts_with("mindeg mesh ") && line.ends_with(" --optimize angle"), "{line}");
+    let words = ["mesh", text(&file), "-o", text(&out), "--optimize", "angle", "--json"];
+    let (plain, best) = (run.json(), mindeg(words).json());
+    assert_eq!(plain["max_degree"], best["max_degree"]);
+    assert!(angle(&best) > 1.1 * angle(&plain), "{plain} {best}");
+}

@@ -274,8 +274,7 @@ fn a_polygon_that_is_no_domain_does_not_keep_the_others_from_it() {
 fn rings_that_touch_themselves_are_refused_or_repaired() {
     let wkt = "POLYGON((0 0,2 1,4 0,4 2,2 1,0 2,0 2))";
     let words = ["mesh", "-", "-o", "-", "--format", "obj"];
-    mindeg_reading(words, wkt.as_bytes())
-        .refuses(&["polygon 1", "--repair parts rings that touch themselves"]);
+    mindeg_reading(words, wkt.as_bytes()).refuses(&["polygon 1", "--repair mends such places"]);
     let run = mindeg_reading(["domain", "-", "--repair", "--json"], wkt.as_bytes());
     assert!(
         run.errors.contains("repaired polygon 1: dropped 1 repeated point; made 2 polygons of 1"),

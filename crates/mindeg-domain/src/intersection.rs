@@ -44,7 +44,7 @@ fn error(fault: BoundaryFault, points: &[DVec2], rings: &Rings, joined: &Joined)
         }
         BoundaryFault::Touch { vertex: Ring(at), edge: Ring(edge) } => {
             let message = format!(
-                "{} {} lies on {}; rings may not touch: move the point off, or split the ring there",
+                "{} {} lies on {}; a point may not lie on an edge: move it off, or split the ring there",
                 name(at),
                 position(at),
                 edge_name(edge)
@@ -263,13 +263,13 @@ mod tests {
             (of(&[[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]], 1), "side 1 and side 3 cross near (0.5, 0.5); list the points in the order in which they lie around the domain, and keep rings apart"),
             (of(&[[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]], 3), "interval 2 of side 1 and interval 2 of side 3 cross near (0.5, 0.5); list the points in the order in which they lie around the domain, and keep rings apart"),
             (of(&[[0.0, 0.0], [2.0, 0.0], [1.0, 0.0]], 1), "the boundary folds back on itself at corner 1 at (0.0, 0.0) (0°); drop the point or move it"),
-            (of(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [2.0, 0.0], [0.0, 2.0]], 1), "corner 4 at (2.0, 0.0) lies on side 1; rings may not touch: move the point off, or split the ring there"),
+            (of(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [2.0, 0.0], [0.0, 2.0]], 1), "corner 4 at (2.0, 0.0) lies on side 1; a point may not lie on an edge: move it off, or split the ring there"),
             (of(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [2.0, 0.0], [0.0, 2.0]], 2), "corner 4 is at (2.0, 0.0), where point 1 of side 1 is too; a boundary passes each point once: move one of them, or split the ring there"),
             (holes(&[triangle(2.0, 2.0), triangle(9.0, 2.0)]), "hole 2 lies outside the outline, with its first corner at (9.0, 2.0); move it inside, or drop it"),
             (holes(&[ring(&[[1.0, 1.0], [7.0, 1.0], [1.0, 7.0]], 1), triangle(2.0, 2.0)]), "hole 2 lies inside hole 1, with its first corner at (2.0, 2.0); drop one of them"),
             (holes(&[triangle(2.0, 2.0), ring(&SQUARE.map(|[x, y]| [2.0 * x - 4.0, 2.0 * y - 4.0]), 1)]), "the outline lies inside hole 2; give the outer ring first, and the holes inside it"),
             (holes(&[triangle(2.0, 2.0), triangle(1.0, 2.0)]), "corner 2 of hole 2 is at (2.0, 2.0), where corner 1 of hole 1 is too; a boundary passes each point once: move one of them, or split the ring there"),
-            (holes(&[triangle(2.0, 0.0)]), "corner 1 of hole 1 at (2.0, 0.0) lies on interval 1 of side 1; rings may not touch: move the point off, or split the ring there"),
+            (holes(&[triangle(2.0, 0.0)]), "corner 1 of hole 1 at (2.0, 0.0) lies on interval 1 of side 1; a point may not lie on an edge: move it off, or split the ring there"),
             (holes(&[triangle(7.5, 2.0)]), "interval 1 of side 2 and side 1 of hole 1 cross near (8.0, 2.0); list the points in the order in which they lie around the domain, and keep rings apart"),
         ];
         for (outcome, message) in table {

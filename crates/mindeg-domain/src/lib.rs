@@ -20,7 +20,7 @@
 //!
 //! # Limits
 //!
-//! The plane. Rings may not touch, themselves or each other; lines inside them meet rings and each other at vertices only.
+//! The plane. Rings may not touch, themselves or each other; lines may: a hole that touches is a region without triangles. Lines inside them meet rings and each other at vertices only.
 
 mod build;
 mod constraints;

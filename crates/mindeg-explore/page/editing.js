@@ -11,7 +11,7 @@ import * as server from "./server.js";
 import { domainTrouble, element, inWords, showTrouble, showUndo } from "./show.js";
 import { SidesTable } from "./sides.js";
 import { bounds, view } from "./stage.js";
-import { remember, selection, shown, state } from "./state.js";
+import { origins, remember, selection, shown, state } from "./state.js";
 
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
@@ -142,7 +142,13 @@ export function forgetEdges(isRefused) {
 async function divide() {
   const size = element("edge-size").valueAsNumber;
   if (!(size > 0)) return tellOfEdges("Give the length of edges first.");
-  if (await change((before) => server.divide(before, size))) tellOfEdges(`All sides get edges of about ${size}, as --size ${size} makes them.`);
+  const made = async (before) => {
+    const origin = origins.get(before);
+    const domain = await server.divide(before, size, origin);
+    if (origin) origins.set(domain, origin);
+    return domain;
+  };
+  if (await change(made)) tellOfEdges(`All sides get edges of about ${size}, as --size ${size} makes them.`);
 }
 
 /** Takes the domain that is made of this one; whether there is one, and the reader has not gone on meanwhile. */

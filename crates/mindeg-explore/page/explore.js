@@ -11,7 +11,7 @@ import {
   showSuggestions, showTrouble, showWaiting,
 } from "./show.js";
 import { Stage, view } from "./stage.js";
-import { selection, shown, state } from "./state.js";
+import { origins, selection, shown, state } from "./state.js";
 import { beginSolid, beginWhole, endSolid, startSolid } from "./solid.js";
 import { hand, offerCopy, offerFiles } from "./take.js";
 
@@ -200,6 +200,7 @@ async function open(file) {
     const first = usable.find(({ domain }) => domain);
     if (!first) throw new Error(sources[0]?.message ?? `${file.name} has no polygon.`);
     showTrouble("");
+    for (const [place, { domain }] of sources.entries()) if (domain) origins.set(domain, [file, place]);
     beginWith(first);
     offerChoices(usable, first.name);
   } catch (error) {
@@ -328,6 +329,9 @@ async function start() {
   showViews();
   const isSolid = source.is_solid && (!kept || kept.solid === source.name);
   const first = source.domain ? source : presets[0];
+  for (const [place, { domain }] of polygons.entries()) if (domain) origins.set(domain, [null, place]);
+  // The list has another copy of the domain that the page begins with.
+  if (source.domain && !presets.some(({ name }) => name === source.name)) origins.set(source.domain, [null, Math.max(0, polygons.findIndex(({ domain }) => domain))]);
   begin(kept?.domain ?? first.domain, kept ? [] : first.notes);
   offerChoices(polygons, kept ? null : first.name);
   if (facts.purpose && !kept) choosePurpose(facts.purpose);

@@ -29,10 +29,11 @@ export async function refusal(domain) {
   return lines.find(({ kind }) => kind === "refused") ?? null;
 }
 
-/** The domains in a file of any format that mindeg reads. */
-export async function readFile(file) {
+/** The domains in a file of any format that mindeg reads; with a size, in edges of that length. */
+export async function readFile(file, size) {
   const body = await file.arrayBuffer();
-  return (await ask(`/api/read?name=${encodeURIComponent(file.name)}`, { method: "POST", body })).json();
+  const query = new URLSearchParams({ name: file.name, ...(size ? { size } : {}) });
+  return (await ask(`/api/read?${query}`, { method: "POST", body })).json();
 }
 
 /** The file of the surface that the page starts with. */
@@ -40,9 +41,14 @@ export async function startFile(name) {
   return new File([await (await ask("/api/start/file")).blob()], name);
 }
 
-/** The domain with all sides divided into edges of a length. */
-export async function divide(domain, size) {
-  return (await ask(`/api/divide?${new URLSearchParams({ size })}`, { method: "POST", body: JSON.stringify({ domain }) })).json();
+/** The domain with all sides divided into edges of a length; one of a file is read anew, so that curves are divided. */
+export async function divide(domain, size, origin) {
+  if (!origin) return (await ask(`/api/divide?${new URLSearchParams({ size })}`, { method: "POST", body: JSON.stringify({ domain }) })).json();
+  const [file, place] = origin;
+  const sources = await (file ? readFile(file, size) : getJson(`/api/start/divided?${new URLSearchParams({ size })}`));
+  const { domain: divided, message } = sources[place];
+  if (!divided) throw new Error(message);
+  return divided;
 }
 
 /** The boundary changed so that a mesh can have an angle, with edges of a length if `size` is one, moved by `within` at most. */

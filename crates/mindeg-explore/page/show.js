@@ -97,7 +97,7 @@ export function showWaiting(figure, view) {
 export function showNothing() {
   Object.assign(shown, { meshes: {}, advice: null, curve: null, degree: null, limit: null });
   for (const figure of document.querySelectorAll("#meshes .mesh")) showWaiting(figure, figure.dataset.stage === "main" ? state.view : state.beside);
-  for (const figures of document.querySelectorAll(".purpose .figures")) figures.textContent = "";
+  for (const figures of document.querySelectorAll("#purposes .figures")) figures.textContent = "";
   for (const id of ["advice", "degree-words", "limit-words", "suggestions", "curve-note"]) element(id).textContent = "…";
   for (const id of ["curve", "degrees"]) element(id).replaceChildren();
   for (const id of ["show-degree", "show-limit"]) element(id).hidden = true;

@@ -43,6 +43,7 @@ function open(title, facts) {
 export async function beginWhole(chosen) {
   endSolid();
   map = chosen;
+  element("whole-purposes").replaceChildren(...purposeButtons(showWhole));
   open(map.name, `The whole map · ${several(map.parts.length, "part")}`);
   await showWhole();
 }
@@ -76,6 +77,7 @@ async function showWhole(purpose) {
 /** Goes back to boundaries. */
 export function endSolid() {
   file = map = advice = null;
+  element("whole-purposes").replaceChildren();
   state.solid = null;
   document.body.classList.remove("solid");
   element("solid").hidden = true;
@@ -197,7 +199,6 @@ function listLoops(loops, vertices) {
 /** Makes the buttons work; `hand(blob, name)` gives a file to the browser, `onEnd` goes on with the boundary. */
 export function startSolid(hand, onEnd) {
   for (const change of ["remesh", "fill", "bridge"]) element(`solid-${change}`).addEventListener("click", () => show(change));
-  element("whole-purposes").append(...purposeButtons(showWhole));
   element("solid-end").addEventListener("click", () => {
     endSolid();
     onEnd();

@@ -28,6 +28,9 @@ export const selection = { corner: null, side: null, drag: null, mustFit: true }
 /** The last answers; `decides` are places that were asked for, `sourceNotes` tell what a file lost; `places` have names. */
 export const shown = { domain: null, meshes: {}, advice: null, curve: null, degree: null, limit: null, wantedDegree: null, decides: [], sourceNotes: [], places: [] };
 
+/** Where domains that are as a file has them are from: `[file, place]`, the file null for that of the start, and the place in it. */
+export const origins = new WeakMap();
+
 const past = [];
 const future = [];
 const MOST = 200;

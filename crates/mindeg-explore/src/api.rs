@@ -9,11 +9,12 @@
 //! | `GET /`, `GET /page/NAME` | | the page and its files; no token |
 //! | `GET /api/start` | | [`Source`]: the domain or surface of the command line, or else a preset |
 //! | `GET /api/start/choices` | | a list of [`Source`]: all domains of its file, where there are several |
+//! | `GET /api/start/divided?size=1` | | the same, their curves and sides divided into edges of a length |
 //! | `GET /api/start/file` | | the bytes of the file of that surface |
 //! | `GET /api/presets` | | a list of [`Source`]: the domains of `assets/domains` |
 //! | `GET /api/facts` | | [`Facts`]: measures and formats by name, limits |
 //! | `POST /api/answer?tab=ID` | [`Request`] | [`AnswerLine`]s, one JSON object a line, each as soon as it is known |
-//! | `POST /api/read?name=FILE` | a file's bytes | a list of [`Source`]: its polygons, or its one domain |
+//! | `POST /api/read?name=FILE` | a file's bytes | a list of [`Source`]: its polygons, or its one domain; also `size` |
 //! | `POST /api/condition?angle=25` | [`Request`] | the domain with a boundary that allows the angle, `words` and `command`; also `size`, `within` |
 //! | `POST /api/divide?size=1` | [`Request`] | the domain with all sides divided into edges of a length |
 //! | `POST /api/solid?name=FILE&change=CHANGE` | a file's bytes | the surface in it, after `nothing`, `remesh`, `fill` or `bridge`; also `size`, `loops`, `interior` |

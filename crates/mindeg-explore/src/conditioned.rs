@@ -1,7 +1,7 @@
 //! The boundary of the page, divided, or changed by as little as it takes for a mesh with points inside to reach an angle.
 
-use mindeg::Intervals;
 use mindeg::interior::{BoundaryDemands, condition};
+use mindeg::{Domain, Intervals};
 use mindeg_answers::command::domain_stem;
 use mindeg_answers::condition::ConditionAnswer;
 use serde::{Deserialize, Serialize};
@@ -60,17 +60,25 @@ pub(crate) fn conditioned(
     Ok(ConditionedShown { domain: json, words: without_options(&answer.text(&name)), command })
 }
 
-/// The domain of a request with all sides divided into edges of a length, as `--size` divides them.
+/// A domain with all sides divided into edges of a length, as `--size` divides them.
 ///
 /// # Errors
 ///
 /// Why there is none, in a sentence.
-pub(crate) fn divided(size: f64, body: &[u8]) -> Result<Box<RawValue>, String> {
-    let (_, domain) = understood(body).map_err(|(message, _)| message)?;
+pub(crate) fn divided(domain: Domain, size: f64) -> Result<Domain, String> {
     let mut sides = domain.sides().to_vec();
     sides.iter_mut().for_each(|side| side.intervals = Intervals::Size(size));
-    let divided = domain.with_sides(sides).map_err(|error| error.to_string())?;
-    RawValue::from_string(divided.to_json()).map_err(|error| error.to_string())
+    domain.with_sides(sides).map_err(|error| error.to_string())
+}
+
+/// The domain of a request, divided so.
+///
+/// # Errors
+///
+/// The errors of [`divided`].
+pub(crate) fn divided_json(size: f64, body: &[u8]) -> Result<Box<RawValue>, String> {
+    let (_, domain) = understood(body).map_err(|(message, _)| message)?;
+    RawValue::from_string(divided(domain, size)?.to_json()).map_err(|error| error.to_string())
 }
 
 #[cfg(test)]
@@ -112,7 +120,8 @@ mod tests {
                 42,
             ),
         ] {
-            let divided = divided(0.5, format!(r#"{{"domain": {domain}}}"#).as_bytes()).unwrap();
+            let divided =
+                divided_json(0.5, format!(r#"{{"domain": {domain}}}"#).as_bytes()).unwrap();
             let divided = mindeg::Domain::from_json(divided.get()).unwrap();
             assert_eq!(divided.rings().vertex_count(), count, "{domain}");
         }

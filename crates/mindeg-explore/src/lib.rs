@@ -17,6 +17,7 @@
 //!
 //! One user, on this machine. Domains of at most [`MAX_VERTICES`] boundary vertices.
 
+mod all;
 mod answer;
 pub mod api;
 mod arrays;
@@ -53,5 +54,5 @@ pub use command::KnownFiles;
 pub use presets::presets;
 pub use reading::{REPAIRED, repaired_if_refused, sources};
 pub use server::{Server, ServerError};
-pub use setup::Setup;
+pub use setup::{Divide, Setup};
 pub use whole::WholeMap;

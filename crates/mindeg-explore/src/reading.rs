@@ -3,12 +3,15 @@
 use mindeg::{Domain, Progress};
 use mindeg_answers::command::file_word;
 use mindeg_answers::names::part_name;
-use mindeg_files::{Content, FileError, Input, Polygon, PolygonFile, ReadOptions, Session, Wanted};
+use mindeg_files::{
+    Content, Division, FileError, Input, Polygon, PolygonFile, ReadOptions, Session, Wanted,
+};
 use serde_json::value::RawValue;
 use std::path::Path;
 
 use crate::answer::MAX_VERTICES;
 use crate::api::Source;
+use crate::conditioned::divided;
 use crate::terms::without_options;
 use crate::whole::WholeMap;
 
@@ -20,7 +23,7 @@ pub const REPAIRED: &str = "Rings touched or crossed, or polygons overlapped; th
 
 /// The domain of a file, or the maps of its polygons that share edges, then each polygon alone; or the surface or the whole
 /// model in it. Where polygons, or maps of them, are refused as they are and not once they are repaired, they are given
-/// repaired, with a note.
+/// repaired, with a note. With a size, sides and curves are divided into edges of that length.
 ///
 /// # Errors
 ///
@@ -32,17 +35,23 @@ pub const REPAIRED: &str = "Rings touched or crossed, or polygons overlapped; th
 /// use mindeg_files::{Input, Session};
 ///
 /// let lid = Input::Bytes("lid.svg", b"<svg><circle id='lid' cx='5' cy='5' r='2'/></svg>");
-/// let sources = mindeg_explore::sources(&Session::new(""), &lid)?;
+/// let sources = mindeg_explore::sources(&Session::new(""), &lid, None)?;
 /// assert_eq!(sources[0].name, "lid");
 /// # Ok::<(), mindeg_files::FileError>(())
 /// ```
-pub fn sources(session: &Session, input: &Input<'_>) -> Result<Vec<Source>, FileError> {
+pub fn sources(
+    session: &Session,
+    input: &Input<'_>,
+    size: Option<f64>,
+) -> Result<Vec<Source>, FileError> {
     let refused = |found: &Found| {
         let sources = found.sources.iter();
         let alone = sources.filter(|source| source.message.is_some() && !source.is_solid).count();
         alone + usize::from(found.no_map.is_some())
     };
-    let read = |repair| read(session, input, &ReadOptions { repair, ..ReadOptions::default() });
+    let division = Division { size, ..Division::default() };
+    let read =
+        |repair| read(session, input, &ReadOptions { repair, division, ..ReadOptions::default() });
     let (mut found, is_repaired) = repaired_if_refused(read, refused)?;
     if is_repaired {
         for source in found.sources.iter_mut().filter(|source| source.message.is_none()) {
@@ -135,7 +144,14 @@ fn read(session: &Session, input: &Input<'_>, options: &ReadOptions) -> Result<F
             let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
             let domain = Domain::from_json_up_to(text, MAX_VERTICES)
                 .map_err(|error| FileError::wrong(format!("{name}: {error}")))?;
-            let text = text.trim().to_owned();
+            let domain = match options.division.size {
+                Some(size) => divided(domain, size).map_err(FileError::wrong)?,
+                None => domain,
+            };
+            let text = match options.division.size {
+                Some(_) => domain.to_json(),
+                None => text.trim().to_owned(),
+            };
             let (name, text) = match (domain.name(), stem(input)) {
                 (None, Some(stem)) => (stem.clone(), with_name(&text, &stem)),
                 (own, _) => (own.unwrap_or(&name).to_owned(), text),
@@ -268,7 +284,7 @@ mod tests {
             let squares: String = (0..count).map(square).collect();
             let drawing = format!("<svg>{squares}</svg>");
             let input = Input::Bytes("many.svg", drawing.as_bytes());
-            sources(&Session::new(""), &input).unwrap()
+            sources(&Session::new(""), &input, None).unwrap()
         };
         for (count, expected) in
             [(MOST, None), (MOST + 2, Some("The first 200 of 202 polygons are given."))]
@@ -281,12 +297,27 @@ mod tests {
         }
     }
 
+    /// Edges of a circle end on the circle, however few points it had.
+    #[test]
+    fn a_size_divides_the_curves_of_a_file() {
+        let drawing = b"<svg><circle cx='0' cy='0' r='5'/></svg>";
+        let input = Input::Bytes("lid.svg", drawing);
+        let given = |size| {
+            let source = sources(&Session::new(""), &input, size).unwrap().remove(0);
+            Domain::from_json(source.domain.unwrap().get()).unwrap()
+        };
+        assert_eq!(given(None).rings().vertex_count(), 24);
+        let fine = given(Some(0.1));
+        assert!((310..320).contains(&fine.rings().vertex_count()));
+        assert!(fine.placement().points().all(|point| (point.length() - 5.0).abs() < 1e-9));
+    }
+
     #[test]
     fn a_ring_that_crosses_itself_is_repaired_and_a_note_says_so() {
         let given = |ring: &str| {
             let file = format!(r#"{{"type": "Polygon", "coordinates": [{ring}]}}"#);
             let input = Input::Bytes("bow.geojson", file.as_bytes());
-            sources(&Session::new(""), &input).unwrap()
+            sources(&Session::new(""), &input, None).unwrap()
         };
         let bow = given("[[0, 0], [2, 2], [2, 0], [0, 2], [0, 0]]");
         assert!(!bow.is_empty() && bow.iter().all(|source| source.message.is_none()));
@@ -299,7 +330,7 @@ mod tests {
     fn polygons_that_overlap_are_repaired_as_one_map_or_the_reason_is_told() {
         let given = |squares: &str| {
             let input = Input::Bytes("land.wkt", squares.as_bytes());
-            sources(&Session::new(""), &input).unwrap()
+            sources(&Session::new(""), &input, None).unwrap()
         };
         let overlapping = "POLYGON((0 0, 5.02 0, 5.02 5, 0 5)) POLYGON((5 0, 10 0, 10 5, 5 5))";
         let sources = given(overlapping);
@@ -316,7 +347,7 @@ mod tests {
         let text = r#" {"rectangle": {"width": 4, "height": 3}, "size": 1}"#;
         let given = |text: &str| {
             let input = Input::Bytes("my plate.json", text.as_bytes());
-            let sources = sources(&Session::new(""), &input).unwrap();
+            let sources = sources(&Session::new(""), &input, None).unwrap();
             let domain = Domain::from_json(sources[0].domain.as_ref().unwrap().get()).unwrap();
             assert_eq!(domain.name(), Some(&*sources[0].name));
             sources[0].name.clone()
@@ -330,7 +361,7 @@ mod tests {
         let cube = r#"{"corners": [[0,0,0], [1,0,0], [1,1,0], [0,1,0], [0,0,1], [1,0,1], [1,1,1], [0,1,1]],
             "faces": [[0,3,2,1], [4,5,6,7], [0,1,5,4], [1,2,6,5], [2,3,7,6], [3,0,4,7]], "size": 0.5}"#;
         let input = Input::Bytes("cube.json", cube.as_bytes());
-        let sources = sources(&Session::new(""), &input).unwrap();
+        let sources = sources(&Session::new(""), &input, None).unwrap();
         assert!(sources[0].is_solid && sources.len() == 1);
     }
 
@@ -346,7 +377,7 @@ mod tests {
             let file = serde_json::json!({"type": "FeatureCollection", "features": features});
             let file = file.to_string();
             let input = Input::Bytes("land.geojson", file.as_bytes());
-            let sources = sources(&Session::new(""), &input).unwrap();
+            let sources = sources(&Session::new(""), &input, None).unwrap();
             let regions = |source: &Source| {
                 let Some(domain) = &source.domain else {
                     assert!(source.map.is_some());
@@ -377,7 +408,7 @@ mod tests {
             let points: Vec<String> = teeth.chain(others).collect();
             let drawing = format!("<svg><polygon points='{}'/></svg>", points.join(" "));
             let input = Input::Bytes("saw.svg", drawing.as_bytes());
-            sources(&Session::new(""), &input).unwrap().remove(0)
+            sources(&Session::new(""), &input, None).unwrap().remove(0)
         };
         assert_eq!(outline(MAX_VERTICES).message, None);
         assert_eq!(

@@ -4,68 +4,39 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use axum::body::{Body, Bytes};
-use axum::extract::rejection::QueryRejection;
-use axum::extract::{Path, Query, Request, State};
+use axum::extract::{Path, Request, State};
 use axum::http::StatusCode;
 use axum::http::header::{self, HeaderName, HeaderValue};
 use axum::middleware::{Next, from_fn_with_state};
 use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
 use axum::{Extension, Router};
-use mindeg_answers::advice::Purpose;
 use mindeg_files::{Input, Session};
 use mindeg_mesh::{Progress, Step};
-use rayon::ThreadPoolBuildError;
 use serde::Deserialize;
 use tokio::sync::mpsc;
 
+use crate::all::{All, Asked, FAULT, answered, asked, failed, worked};
 use crate::answer::{self, answer};
-use crate::api::{AnswerLine, Source, View};
+use crate::api::{AnswerLine, View};
 use crate::body::{Lines, MAX_BYTES, body};
 use crate::command::KnownFiles;
 use crate::conditioned;
 use crate::download::{Download, download};
 use crate::facts::facts;
 use crate::files::{self, File};
-use crate::guard::{Guard, HasToken};
+use crate::guard::HasToken;
 use crate::presets::presets;
 use crate::reading::sources;
 use crate::refusal::{Refusal, bad_request, json, refused};
-use crate::setup::Setup;
 use crate::solid;
-use crate::states::States;
 use crate::terms::without_options;
 use crate::whole;
-use crate::work::{TIME_LIMIT, Work, Works};
+use crate::work::TIME_LIMIT;
 
 const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; \
                       img-src 'self' data: blob:; connect-src 'self'; frame-ancestors 'none'; \
                       base-uri 'none'; form-action 'none'";
-
-/// The state that requests are answered from.
-pub(crate) struct All {
-    guard: Guard,
-    start: Option<Source>,
-    choices: Vec<Source>,
-    surface: Bytes,
-    known: KnownFiles,
-    purpose: Option<Purpose>,
-    works: Works,
-    states: States,
-}
-
-impl All {
-    pub(crate) fn new(guard: Guard, setup: Setup) -> Result<Self, ThreadPoolBuildError> {
-        let Setup { start, choices, surface, known, purpose, port: _ } = setup;
-        let (surface, works, states) = (surface.into(), Works::new()?, States::default());
-        Ok(Self { guard, start, choices, surface, known, purpose, works, states })
-    }
-
-    /// The token that requests must have.
-    pub(crate) fn token(&self) -> &str {
-        &self.guard.token
-    }
-}
 
 pub(crate) fn router(all: Arc<All>) -> Router {
     let purpose = all.purpose;
@@ -74,6 +45,7 @@ pub(crate) fn router(all: Arc<All>) -> Router {
         .route("/page/{name}", get(page_file))
         .route("/api/start", get(start))
         .route("/api/start/choices", get(start_choices))
+        .route("/api/start/divided", get(start_divided))
         .route("/api/start/file", get(start_file))
         .route("/api/presets", get(async || json(&presets())))
         .route("/api/facts", get(async move || json(&facts(MAX_BYTES, purpose))))
@@ -145,16 +117,21 @@ async fn start_choices(State(all): State<Arc<All>>) -> Response {
     json(&all.choices)
 }
 
+/// The same, read anew for edges of a length.
+async fn start_divided(
+    State(all): State<Arc<All>>,
+    query: Asked<Length>,
+) -> Result<Response, Refusal> {
+    let Length { size } = asked(query)?;
+    let Some(divide) = all.divide.clone() else {
+        return Err(refused(StatusCode::NOT_FOUND, "the page was started without a domain"));
+    };
+    Ok(json(&worked(&all, move |_| divide.by(size)).await?))
+}
+
 /// The file of the surface to start with.
 async fn start_file(State(all): State<Arc<All>>) -> Response {
     ([(header::CONTENT_TYPE, "application/octet-stream")], all.surface.clone()).into_response()
-}
-
-/// The query after `?` in an address, if it is valid.
-type Asked<T> = Result<Query<T>, QueryRejection>;
-
-fn asked<T>(query: Asked<T>) -> Result<T, Refusal> {
-    query.map(|Query(asked)| asked).map_err(|error| bad_request(&error.body_text()))
 }
 
 #[derive(Deserialize)]
@@ -216,14 +193,15 @@ fn send(lines: &mpsc::UnboundedSender<Bytes>, line: &AnswerLine) {
 #[derive(Deserialize)]
 struct Named {
     name: String,
+    size: Option<f64>,
 }
 
 /// The domains in a file.
 async fn reading(query: Asked<Named>, request: Request) -> Result<Response, Refusal> {
-    let Named { name } = asked(query)?;
+    let Named { name, size } = asked(query)?;
     let bytes = body(request).await?;
     let read = tokio::task::spawn_blocking(move || {
-        sources(&Session::new("--"), &Input::Bytes(&name, &bytes))
+        sources(&Session::new("--"), &Input::Bytes(&name, &bytes), size)
     })
     .await;
     match read {
@@ -238,13 +216,6 @@ async fn reading(query: Asked<Named>, request: Request) -> Result<Response, Refu
         }
         Err(_) => Err(failed()),
     }
-}
-
-/// The message if a thread ended before its work.
-const FAULT: &str = "this failed, which is a fault of mindeg; please report it with the domain";
-
-fn failed() -> Refusal {
-    refused(StatusCode::INTERNAL_SERVER_ERROR, FAULT)
 }
 
 #[derive(Deserialize)]
@@ -263,10 +234,10 @@ async fn downloads(
     request: Request,
 ) -> Result<Response, Refusal> {
     let Wanted { format, file, view } = asked(query)?;
-    let bytes = body(request).await?;
-    let file =
-        worked(&all, move |progress| download(&bytes, view, &format, file, progress)).await?;
-    Ok(attached(file))
+    let work = move |bytes: &[u8], _: &KnownFiles, progress: Progress<'_>| {
+        download(bytes, view, &format, file, progress)
+    };
+    Ok(attached(answered(all, request, work).await?))
 }
 
 /// The length of edges.
@@ -282,8 +253,9 @@ async fn divides(
     request: Request,
 ) -> Result<Response, Refusal> {
     let Length { size } = asked(query)?;
-    let bytes = body(request).await?;
-    Ok(json(&worked(&all, move |_| conditioned::divided(size, &bytes)).await?))
+    let work =
+        move |bytes: &[u8], _: &KnownFiles, _: Progress<'_>| conditioned::divided_json(size, bytes);
+    Ok(json(&answered(all, request, work).await?))
 }
 
 /// A changed boundary.
@@ -293,11 +265,10 @@ async fn conditions(
     request: Request,
 ) -> Result<Response, Refusal> {
     let wanted = asked(query)?;
-    let bytes = body(request).await?;
-    let known = Arc::clone(&all);
-    let shown =
-        worked(&all, move |_| conditioned::conditioned(wanted, &bytes, &known.known)).await?;
-    Ok(json(&shown))
+    let work = move |bytes: &[u8], known: &KnownFiles, _: Progress<'_>| {
+        conditioned::conditioned(wanted, bytes, known)
+    };
+    Ok(json(&answered(all, request, work).await?))
 }
 
 /// A surface in space.
@@ -307,11 +278,10 @@ async fn solids(
     request: Request,
 ) -> Result<Response, Refusal> {
     let wanted = asked(query)?;
-    let bytes = body(request).await?;
-    let known = Arc::clone(&all);
-    let shown = worked(&all, move |progress| solid::shown(&wanted, &bytes, &known.known, progress));
-    let shown = shown.await?;
-    Ok(json(&shown))
+    let work = move |bytes: &[u8], known: &KnownFiles, progress: Progress<'_>| {
+        solid::shown(&wanted, bytes, known, progress)
+    };
+    Ok(json(&answered(all, request, work).await?))
 }
 
 /// A file of a surface in space.
@@ -321,9 +291,10 @@ async fn solid_files(
     request: Request,
 ) -> Result<Response, Refusal> {
     let wanted = asked(query)?;
-    let bytes = body(request).await?;
-    let file = worked(&all, move |progress| solid::file(&wanted, &bytes, progress)).await?;
-    Ok(attached(file))
+    let work = move |bytes: &[u8], _: &KnownFiles, progress: Progress<'_>| {
+        solid::file(&wanted, bytes, progress)
+    };
+    Ok(attached(answered(all, request, work).await?))
 }
 
 /// The mesh of a whole map.
@@ -333,9 +304,10 @@ async fn wholes(
     request: Request,
 ) -> Result<Response, Refusal> {
     let wanted = asked(query)?;
-    let bytes = body(request).await?;
-    let shown = worked(&all, move |progress| whole::shown(&wanted, &bytes, progress));
-    Ok(json(&shown.await?))
+    let work = move |bytes: &[u8], _: &KnownFiles, progress: Progress<'_>| {
+        whole::shown(&wanted, bytes, progress)
+    };
+    Ok(json(&answered(all, request, work).await?))
 }
 
 /// A file of the mesh of a whole map.
@@ -345,33 +317,10 @@ async fn whole_files(
     request: Request,
 ) -> Result<Response, Refusal> {
     let wanted = asked(query)?;
-    let bytes = body(request).await?;
-    let file = worked(&all, move |progress| whole::file(&wanted, &bytes, progress)).await?;
-    Ok(attached(file))
-}
-
-/// Work that no other request ends, in its turn and with a time limit.
-async fn worked<T: Send + 'static>(
-    all: &All,
-    work: impl FnOnce(Progress<'_>) -> Result<T, String> + Send + 'static,
-) -> Result<T, Refusal> {
-    let Some(turn) = all.works.turn().await else { return Err(failed()) };
-    let alone = Work::alone();
-    let made = tokio::task::spawn_blocking(move || {
-        let callback = |_: Step<'_>| match alone.is_late() {
-            true => ControlFlow::Break(()),
-            false => ControlFlow::Continue(()),
-        };
-        let progress = Progress::new(&callback);
-        turn.work(|| work(progress))
-    });
-    match made.await {
-        Ok(Ok(made)) => Ok(made),
-        Ok(Err(message)) => {
-            Err(refused(StatusCode::UNPROCESSABLE_ENTITY, &without_options(&message)))
-        }
-        Err(_) => Err(failed()),
-    }
+    let work = move |bytes: &[u8], _: &KnownFiles, progress: Progress<'_>| {
+        whole::file(&wanted, bytes, progress)
+    };
+    Ok(attached(answered(all, request, work).await?))
 }
 
 /// A file to save.

@@ -15,8 +15,9 @@ use tokio::net::TcpListener;
 use tokio::sync::Semaphore;
 use tokio::time::timeout;
 
+use crate::all::All;
 use crate::guard::{Guard, HasToken};
-use crate::routes::{All, router};
+use crate::routes::router;
 use crate::setup::Setup;
 use crate::token::token;
 

@@ -79,10 +79,10 @@ impl Map {
     fn of(body: &[u8]) -> Result<Self, String> {
         let WholeMap { name, words, parts } = serde_json::from_slice(body)
             .map_err(|error| format!("the request is not what the page sends: {error}"))?;
-        let domain = |text: &Box<RawValue>| Domain::from_json_up_to(text.get(), MAX_VERTICES);
+
         let domains: Vec<Domain> = parts
             .iter()
-            .map(domain)
+            .map(|text| Domain::from_json_up_to(text.get(), MAX_VERTICES))
             .collect::<Result<_, _>>()
             .map_err(|error| error.without_position())?;
         let first = domains.first().ok_or("the map has no part")?.clone();

@@ -207,18 +207,14 @@ impl PolygonFile {
             Ok((domains, notes))
         });
         maps.map_err(|error| {
-            let hint = if error.is_touch && !self.is_repaired {
-                format!("; {}repair mends such places, and says what it changes", self.dashes)
-            } else {
-                String::new()
-            };
+            let hint = self.hint(error.is_touch);
             FileError::wrong(format!("{error}{hint}")).of(&self.file)
         })
     }
 
     fn hint(&self, is_touch: bool) -> String {
         if is_touch && !self.is_repaired {
-            format!("; {}repair parts rings that touch themselves", self.dashes)
+            format!("; {}repair mends such places, and says what it changes", self.dashes)
         } else {
             String::new()
         }

@@ -39,7 +39,7 @@ impl Polygon {
     ///
     /// The errors of [`Feature::domain`].
     pub fn domain(&self, division: &Division) -> Result<Domain, OutlineError> {
-        if self.has_touching_holes() {
+        if self.touching_place().is_some() {
             return self.map(&DrawnInside::default(), division);
         }
         let name = (!self.label.is_empty()).then(|| self.label.clone());
@@ -56,21 +56,27 @@ impl Polygon {
         match <[Domain; 1]>::try_from(found) {
             Ok([map]) if !self.label.is_empty() => Ok(map.named(&*self.label)?),
             Ok([map]) => Ok(map),
-            // Touching rings part it into several, or leave nothing.
+            Err(parts) if parts.len() > 1 => {
+                let at = self
+                    .touching_place()
+                    .map_or_else(String::new, |at| format!(", as at {}", shown(at)));
+                let count = parts.len();
+                let problem = format!("rings touch{at}, so that it falls into {count} parts");
+                Err(OutlineError { is_touch: true, ..OutlineError::place("", problem) })
+            }
             Err(_) => self.feature.domain(division),
         }
     }
 
-    /// Whether a ring has a vertex of another.
-    fn has_touching_holes(&self) -> bool {
-        if self.feature.rings.len() < 2 {
-            return false;
-        }
+    /// The first vertex of a ring that another has, too.
+    fn touching_place(&self) -> Option<DVec2> {
         let mut rings = BTreeMap::new();
         let drawn_rings = self.feature.rings.iter().enumerate();
         let mut pieces =
             drawn_rings.flat_map(|(ring, drawn)| std::iter::repeat(ring).zip(&drawn.pieces));
-        pieces.any(|(ring, piece)| *rings.entry(key(piece.start)).or_insert(ring) != ring)
+        let found =
+            pieces.find(|(ring, piece)| rings.entry(key(piece.start)).or_insert(*ring) != ring);
+        found.map(|(_, piece)| piece.start)
     }
 }
 
@@ -139,9 +145,17 @@ fn domains(
             for hole in &map.holes {
                 builder = builder.hole(ring(hole)?);
             }
-            let lines = map.lines.iter().map(|run| {
+            // The last lines are the rings of holes that touch others.
+            let first_hole = map.lines.len() - map.hole_faces.len();
+            let lines = map.lines.iter().enumerate().map(|(index, run)| {
                 let drawn = plane.drawn(run, |border| sides.of(border));
-                line(&drawn, run.is_closed(), division)
+                let mut line = line(&drawn, run.is_closed(), division)?;
+                if let Some(hole) = index.checked_sub(first_hole) {
+                    let name = format!("hole {}", map.holes.len() + hole + 1);
+                    let unnamed = line.sides.iter_mut().filter(|side| side.name.is_none());
+                    unnamed.for_each(|side| side.name = Some(name.clone()));
+                }
+                Ok::<_, OutlineError>(line)
             });
             let lines = lines.collect::<Result<_, _>>()?;
             let region = |&(region, at): &(u32, DVec2)| Region {

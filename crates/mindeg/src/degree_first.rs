@@ -11,6 +11,9 @@ use crate::searched::Searched;
 /// The shares of Delaunay's angle that windows try to keep at degree 4.
 const SHARES: [f64; 2] = [0.9, 0.5];
 
+/// Up to so many vertices the largest angle is looked for though windows reached the degree: about a tenth of a second.
+const FEW: u32 = 150;
+
 /// The mesh of the least degree that is found, with an angle that costs little to find.
 pub(crate) fn degree_first(posed: &Posed<'_>, progress: Progress<'_>) -> Result<Meshed, MeshError> {
     let range =
@@ -30,7 +33,14 @@ pub(crate) fn degree_first(posed: &Posed<'_>, progress: Progress<'_>) -> Result<
             }
             FoundBy::Exhaustive
         }
-        Reached::Windows => FoundBy::Windows { share: 0.0 },
+        Reached::Windows => {
+            if posed.domain().rings().vertex_count() <= FEW
+                && let Some(searched) = Searched::of_range(posed, range.clone(), progress)?
+            {
+                return searched.max_degree(range.max_degree);
+            }
+            FoundBy::Windows { share: 0.0 }
+        }
         Reached::ZigZag(_) => FoundBy::ZigZag,
         _ => FoundBy::Exhaustive,
     };

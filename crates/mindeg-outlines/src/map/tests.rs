@@ -332,6 +332,9 @@ fn holes_that_touch_are_regions_without_triangles() {
     assert_eq!(domain.area(), 64.0 - 1.5 - 0.5 - 0.5);
     assert_eq!((domain.rings().ring_count(), domain.inside().lines.len()), (3, 1));
     assert!(domain.sides().iter().all(|side| side.name.is_none()));
+    // A hole, whether it touches or not.
+    let lines = domain.inner_lines();
+    assert_eq!(lines.iter().map(|(line, _)| &*line.name).collect::<Vec<_>>(), ["hole 3"]);
 }
 
 #[test]
@@ -340,4 +343,6 @@ fn rings_that_touch_and_part_a_polygon_are_named() {
     let wkt = "POLYGON((0 0,8 0,8 8,0 8),(0 0,4 3,8 8,3 4))";
     let error = polygons(wkt)[0].domain(&Division::default()).unwrap_err();
     assert!(error.is_touch, "{error}");
+    let words = "rings touch, as at (0.0, 0.0), so that it falls into 2 parts";
+    assert!(error.to_string().ends_with(words), "{error}");
 }
