@@ -324,6 +324,32 @@ test("all sides of a file are divided as --size divides its curves, until a corn
   await page.context().close();
 });
 
+test("a wrong option is told by the name of its field, and the choice of the mesh stays", async () => {
+  const page = await openNew();
+  await choose(page, "plate-with-holes");
+  const set = async (id, value) => {
+    await page.fill(id, value);
+    await page.keyboard.press("Tab");
+    await answered(page);
+  };
+  for (const [id, value, message] of [
+    ["#max-points", "0.5", "Max points: give a whole number, not 0.5"],
+    ["#growth", "-1", "Growth: growth is -1"],
+    ["#interior-degree", "few", "Interior degree: give two numbers"],
+  ]) {
+    await set(id, value);
+    assert.ok((await text(page, "#trouble-text")).startsWith(message), await text(page, "#trouble-text"));
+    await set(id, "");
+  }
+  await set("#max-points", "10");
+  assert.equal(await page.locator("#purposes [aria-pressed=true] b").textContent(), "A solver");
+  assert.match(await text(page, ".mesh.taken .words-of"), /more than 10 points/);
+  await page.fill("#condition-within", "-1");
+  await page.click("#condition");
+  assert.match(await text(page, "#condition-words"), /moves by 0 or more/);
+  await page.context().close();
+});
+
 test("the curve is in the first screen beside the picture", async () => {
   const page = await openNew();
   for (const name of ["boundary-layer-channel", "wing-panel"]) {

@@ -2,7 +2,7 @@
 // From the viewer's script: angleText, make.
 
 import { apply, ask } from "./asking.js";
-import { element, showCurveNow } from "./show.js";
+import { element, fieldName, showCurveNow, showTrouble } from "./show.js";
 import { shown, state } from "./state.js";
 
 /** What a field for a goal's value begins with. */
@@ -161,7 +161,7 @@ export function offerInterior(all) {
   element("interior").append(...keys.map(({ name, text, default: usual, field }) => {
     const row = make("div", "key");
     row.title = text;
-    const label = make("label", "", `${name[0].toUpperCase()}${name.slice(1).replaceAll("_", " ")}`);
+    const label = make("label", "", fieldName(name));
     label.htmlFor = field.id;
     // Without a default, what it is for.
     const note = make("small", "", usual || text.split(/[:;,] /)[0].replace(/^The /, "the "));
@@ -182,10 +182,16 @@ function keyField(key) {
     if (key.value !== "range") Object.assign(field, { min: 0, step: key.value === "number" ? "any" : 1 });
   }
   field.addEventListener("change", () => {
+    const isRange = key.value === "range";
+    if (field.validity.badInput || (isRange && field.value.trim() && !read("range", field))) {
+      return showTrouble(`${fieldName(key.name)}: give ${isRange ? "two numbers, such as 5 to 7" : "a number"}.`);
+    }
     const { interior, ...others } = state.domain;
     const { [key.name]: _, ...kept } = interior ?? {};
     const given = read(key.value, field);
     const wanted = given === null ? kept : { ...kept, [key.name]: given };
+    // Who sets how points inside are put wants them, also where the first value allows none.
+    state.isTold = true;
     apply(Object.keys(wanted).length ? { ...others, interior: wanted } : others);
   });
   return field;
@@ -193,7 +199,10 @@ function keyField(key) {
 
 /** The value in a field; null if there is none. */
 function read(value, field) {
-  if (value === "range") return field.value.match(/\d+/g)?.slice(0, 2).map(Number) ?? null;
+  if (value === "range") {
+    const ends = field.value.match(/\d+/g)?.slice(0, 2).map(Number);
+    return ends ? [ends[0], ends.at(-1)] : null;
+  }
   return field.value === "" ? null : value === "choice" ? field.value : field.valueAsNumber;
 }
 

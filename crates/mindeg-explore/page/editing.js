@@ -177,9 +177,12 @@ function tellOfEdges(words, command = null) {
 /** Changes the boundary so that a mesh with points inside can have the angle. */
 async function conditionIt() {
   const [angle, size, within] = ["condition-angle", "edge-size", "condition-within"].map((id) => element(id).valueAsNumber);
+  if (!(angle > 0)) return tellOfEdges("Give the angle above 0° first.");
+  if (element("edge-size").validity.badInput || size <= 0) return tellOfEdges("The length of edges is above 0; leave it empty for the edges as they are.");
+  if (element("condition-within").validity.badInput || within < 0) return tellOfEdges("The boundary moves by 0 or more; leave the distance empty for the usual one.");
   let told;
   const isDone = await change(async (before) => {
-    told = await server.condition(before, angle || 25, size, within);
+    told = await server.condition(before, angle, size, within);
     return told.domain;
   });
   if (isDone) tellOfEdges(told.words, told.command);

@@ -96,7 +96,8 @@ function forgetOld() {
   if (progress.answered >= progress.asked) return;
   for (const stage of stages) {
     const { view, figure } = stage;
-    if (!(shown.meshes[view]?.id < progress.since)) continue;
+    // While a corner is dragged, drafts come in turn: a caption that went between them would flicker.
+    if (selection.drag || !(shown.meshes[view]?.id < progress.since)) continue;
     delete shown.meshes[view];
     stage.worst = null;
     showWaiting(figure, view);

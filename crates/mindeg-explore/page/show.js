@@ -47,9 +47,16 @@ export function showUndo() {
 /** What the keys of lists in a domain's JSON hold. */
 const THINGS = { holes: "hole", sides: "side", corners: "corner", ring: "point", lines: "line", regions: "region", points: "point", sizes: "size", vertices: "vertex" };
 
-/** A text with places of JSON in the words of the page: `holes[3].sides[0]` is side 1 of hole 4. */
+/** What the field of an option is called. */
+export const fieldName = (key) => `${key[0].toUpperCase()}${key.slice(1).replaceAll("_", " ")}`;
+
+/**
+ * A text in the words of the page: `holes[3].sides[0]` is side 1 of hole 4, an option of points inside has the name of its
+ * field, and what JSON found is what not to give.
+ */
 export function inWords(text) {
-  return text.replace(/(?:\b[a-z_]+(?:\[\d+\])?\.)*\b[a-z_]+\[\d+\](?:\.[a-z_]+(?:\[\d+\])?)*/g, (path) => path.split(".")
+  return text.replace(/\binterior\.([a-z_]+)(?![a-z_[.])/g, (_, key) => fieldName(key))
+    .replace(/\bfound (?:the (?:number|text) )?(.+?), expected (.+)/g, "give $2, not $1").replace(/(?:\b[a-z_]+(?:\[\d+\])?\.)*\b[a-z_]+\[\d+\](?:\.[a-z_]+(?:\[\d+\])?)*/g, (path) => path.split(".")
     .filter((key) => key !== "polygon" && key !== "interior").reverse()
     .map((key) => key.replace(/^([a-z_]+)\[(\d+)\]$/, (_, list, index) => `${THINGS[list] ?? list} ${Number(index) + 1}`).replaceAll("_", " "))
     .join(" of "));
