@@ -58,6 +58,8 @@ pub(crate) enum Turn {
 const HARD: u64 = 3;
 /// The last seed.
 const LAST: u64 = 12;
+/// After so many seeds without a better disc no more are tried.
+const FRUITLESS: u64 = 2;
 /// No more moves are made in one turn, at any mesh and for each triangle: the search ends where degrees are out of their ranges nearly everywhere.
 const MOST_MOVES: [u64; 2] = [20_000_000, 800];
 /// So many times as many moves are made in those.
@@ -121,6 +123,7 @@ pub(crate) fn redraw(
     };
     let mut left = MOST_MOVES[0] + MOST_MOVES[1] * mesh.triangles.len() as u64;
     let mut proven = (0, BTreeSet::new());
+    let mut last_success = HARD;
     let rounds = |seed: u64| {
         ROUNDS
             .iter()
@@ -138,7 +141,8 @@ pub(crate) fn redraw(
         }
         let wrong: Vec<u32> =
             broken(mesh, weights).filter(|vertex| !proven.1.contains(vertex)).collect();
-        if wrong.is_empty() || is_hard && wrong.len() > MOST_HARD {
+        let is_hopeless = wrong.len() > MOST_HARD || seed > last_success + FRUITLESS;
+        if wrong.is_empty() || is_hard && is_hopeless {
             break;
         }
         let within = stage.within();
@@ -178,6 +182,7 @@ pub(crate) fn redraw(
             let (found, moves) = drawn?;
             left = left.saturating_sub(moves);
             if let Some(found) = found {
+                last_success = seed;
                 ahead.forget(&disc);
                 disc.put_back(mesh, &found);
             }
