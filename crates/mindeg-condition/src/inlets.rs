@@ -20,6 +20,7 @@ use around::{Around, Meshed, Whole};
 use chords::inlets;
 use fit::angle_of;
 use glam::DVec2;
+use mindeg_interior::{Interior, Options, generate_once, least_angle};
 use mindeg_mesh::Progress;
 use mindeg_mesh::planar::PlanarBoundary;
 use std::collections::BTreeSet;
@@ -46,6 +47,10 @@ const WORTH: f64 = 0.05;
 const WORTH_MESHED: f64 = 0.25;
 /// The shares of the allowed distance by which a point is moved.
 const SHARES: [f64; 2] = [1.0, 0.4];
+/// The most edges of a boundary that is meshed as a whole to find thin triangles.
+const MOST_MESHED: u32 = 20_000;
+/// So many vertices to both sides of a thin triangle are its shore.
+const BESIDE: usize = 2;
 /// The directions in which it is.
 const DIRECTIONS: usize = 8;
 
@@ -72,7 +77,7 @@ impl Chains {
             let (inner, lines) = (boundary.inner_points(), boundary.segments());
             let triangles = mindeg_delaunay::triangles(&boundary, inner, lines, Progress::NONE)
                 .map_err(|error| ConditionError::Narrow(error.to_string()))?;
-            let small = self.small(&Whole::new(self, &boundary, &triangles), demands.angle);
+            let small = self.small(&Whole::new(self, &boundary, &triangles), demands);
             if !is_changed || small.is_empty() || round == rounds {
                 let left = |place: &Place| Left {
                     at: self.at(place.shores[0][place.shores[0].len() / 2]),
@@ -107,20 +112,78 @@ impl Chains {
     }
 
     /// The places where neither triangles with corners on the shores alone have an angle for sure, nor a mesh of what is around.
-    fn small(&self, whole: &Whole<'_>, wanted: f64) -> Vec<Place> {
+    /// Where each triangle has a corner inside, those of the shores alone tell nothing; a mesh of the whole tells, and it does
+    /// at last everywhere, unless it would be large.
+    fn small(&self, whole: &Whole<'_>, demands: &BoundaryDemands) -> Vec<Place> {
+        let wanted = demands.angle;
         let inlets = inlets(self, whole);
         let straits = straits(self, whole, &inlets);
         let all = inlets.into_iter().map(|shore| vec![shore]).chain(straits);
         // Where a vertex has a smaller limit of its own, that is what decides.
-        let doubtful = all.filter(|shores| {
-            self.least_limit(shores) >= wanted && angle_of(self, shores, None) < wanted + MARGIN
-        });
+        let is_able = |shores: &Vec<Vec<u32>>| self.least_limit(shores) >= wanted;
         let place = |shores: Vec<Vec<u32>>| {
             let around = whole.around(&shores)?;
             let meshed = around.meshed(self, &shores, None)?;
             Some(Place { shores, around, meshed })
         };
-        doubtful.filter_map(place).filter(|place| place.meshed.angle < wanted + SURE).collect()
+        let is_small = |place: &Place| place.meshed.angle < wanted + SURE;
+        let all = all.filter(&is_able);
+        if self.least_triangles > 1 {
+            let thin = self.thin_of_mesh(whole, wanted + SURE);
+            let is_thin =
+                |shores: &Vec<Vec<u32>>| shores.iter().flatten().any(|v| thin.contains(v));
+            let mut all: Vec<Vec<Vec<u32>>> = all.filter(is_thin).collect();
+            all.extend(self.runs_around(&thin, &all).into_iter().filter(&is_able));
+            return all.into_iter().filter_map(place).filter(is_small).collect();
+        }
+        let doubtful = all.filter(|shores| angle_of(self, shores, None) < wanted + MARGIN);
+        let found: Vec<Place> = doubtful.filter_map(place).filter(is_small).collect();
+        if !found.is_empty() || demands.size.is_none() || whole.boundary.edge_count() > MOST_MESHED
+        {
+            return found;
+        }
+        let thin = self.thin_of_mesh(whole, wanted);
+        let runs = self.runs_around(&thin, &[]).into_iter().filter(is_able);
+        runs.filter_map(place).filter(is_small).collect()
+    }
+
+    /// The vertices at and beside triangles of a mesh of the whole that are thinner than an angle.
+    fn thin_of_mesh(&self, whole: &Whole<'_>, angle: f64) -> BTreeSet<u32> {
+        let mesh = generate_once(whole.boundary, &self.options(), Progress::NONE);
+        let Ok(mesh) = mesh else { return whole.vertices.iter().copied().collect() };
+        let at = |corners: &[u32; 3]| corners.map(|v| mesh.points[v as usize]);
+        let thin = mesh.triangles.iter().filter(|corners| least_angle(at(corners)) < angle);
+        let thin: BTreeSet<u32> = thin.flatten().copied().collect();
+        let beside =
+            mesh.triangles.iter().filter(|corners| corners.iter().any(|v| thin.contains(v)));
+        beside.flatten().filter_map(|v| whole.vertices.get(*v as usize)).copied().collect()
+    }
+
+    /// The wishes for a mesh with so many triangles at each vertex of a ring.
+    fn options(&self) -> Options {
+        let corners = (self.least_triangles > 1).then_some(2);
+        Interior { boundary_corners: corners, ..Interior::default() }.into()
+    }
+
+    /// Runs of vertices around those that are in no place yet.
+    fn runs_around(
+        &self,
+        vertices: &BTreeSet<u32>,
+        places: &[Vec<Vec<u32>>],
+    ) -> Vec<Vec<Vec<u32>>> {
+        let mut known: BTreeSet<u32> = places.iter().flatten().flatten().copied().collect();
+        let mut runs = Vec::new();
+        for &vertex in vertices {
+            if known.contains(&vertex) {
+                continue;
+            }
+            let first = (0..BESIDE).fold(vertex, |v, _| self.previous(v));
+            let run = std::iter::successors(Some(first), |v| Some(self.next(*v)));
+            let run: Vec<u32> = run.take(2 * BESIDE + 1).collect();
+            known.extend(&run);
+            runs.push(vec![run]);
+        }
+        runs
     }
 
     /// Whether a shore is there, point by point.
@@ -182,6 +245,9 @@ impl Chains {
     /// The changes that help the triangles with corners on the shores alone most.
     fn of_shores(&mut self, place: &Place, demands: &BoundaryDemands, goal: f64) -> Vec<Step> {
         let shores = &place.shores;
+        if self.least_triangles > 1 {
+            return Vec::new();
+        }
         let least = (angle_of(self, shores, None) + WORTH).min(goal);
         let mut steps: Vec<(f64, f64, Step)> = Vec::new();
         for step in self.steps(shores.iter().flatten(), demands) {

@@ -6,7 +6,7 @@
 use super::step::Step;
 use crate::chains::Chains;
 use glam::DVec2;
-use mindeg_interior::{Options, generate_once, least_angle};
+use mindeg_interior::{generate_once, least_angle};
 use mindeg_mesh::Progress;
 use mindeg_mesh::planar::PlanarBoundary;
 use std::collections::{BTreeMap, BTreeSet};
@@ -228,7 +228,7 @@ impl Around {
         if !turned.is_empty() {
             return None;
         }
-        let mesh = generate_once(&outline, &Options::default(), Progress::NONE).ok()?;
+        let mesh = generate_once(&outline, &chains.options(), Progress::NONE).ok()?;
         let of_chains = |v: &u32| vertices.get(*v as usize).copied().flatten();
         let is_at_shores = |v: &u32| of_chains(v).is_some_and(|v| at_shores.contains(&v));
         let counted = mesh.triangles.iter().filter(|corners| corners.iter().any(is_at_shores));

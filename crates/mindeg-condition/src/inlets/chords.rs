@@ -6,8 +6,17 @@ use std::collections::BTreeSet;
 
 /// The most edges of an inlet's shore.
 const MOST_EDGES: usize = 16;
-/// No edge across an inlet is longer than so many edges of its shore.
-pub(super) const WIDTH: f64 = 1.5;
+/// No edge across an inlet is longer than so many edges of its shore,
+const WIDTH: f64 = 1.5;
+/// and where each triangle has a corner inside.
+const WIDTH_OF_CORNERS_INSIDE: f64 = 2.5;
+
+impl Chains {
+    /// How many edges of their shores inlets and straits are wide at most.
+    pub(super) fn narrow_width(&self) -> f64 {
+        if self.least_triangles > 1 { WIDTH_OF_CORNERS_INSIDE } else { WIDTH }
+    }
+}
 
 /// The inlets of a boundary, whose vertices are the chains' in order: the shore of each, from one end of its mouth to the other, with the domain
 /// on the left. None lies in another one.
@@ -63,7 +72,7 @@ pub(super) fn inlets(chains: &Chains, whole: &Whole<'_>) -> Vec<Vec<u32>> {
     chords.sort_by(|a, b| b.0.cmp(&a.0).then_with(|| a.1.cmp(&b.1)));
     let wide: BTreeSet<[u32; 2]> = chords
         .iter()
-        .filter(|chord| chord.2 > WIDTH)
+        .filter(|chord| chord.2 > chains.narrow_width())
         .map(|(count, shore, _)| [shore[0], shore[*count]])
         .collect();
     let mut used: BTreeSet<u32> = BTreeSet::new();

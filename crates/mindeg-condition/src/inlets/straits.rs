@@ -3,7 +3,6 @@
 //! A long one, or an inlet with more shore than is searched at once, is looked at in pieces that overlap.
 
 use super::around::{Whole, sides};
-use super::chords::WIDTH;
 use crate::chains::Chains;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -34,10 +33,11 @@ pub(super) fn straits(
     let has_one_side = |v: u32| {
         v < on_rings && chains.vertices[vertices[v as usize] as usize].has_domain == [true, false]
     };
+    let width = chains.narrow_width();
     let is_narrow = |[a, b]: [u32; 2]| {
         has_one_side(a)
             && has_one_side(b)
-            && at(a).distance(at(b)) <= WIDTH * (beside[a as usize] + beside[b as usize]) / 4.0
+            && at(a).distance(at(b)) <= width * (beside[a as usize] + beside[b as usize]) / 4.0
     };
     let edges = |triangle: usize| sides(triangles[triangle]);
     let mut left: BTreeMap<[u32; 2], usize> = BTreeMap::new();
