@@ -1139,11 +1139,11 @@ test("a file of several polygons offers each", async () => {
   const json = { type: "FeatureCollection", features: [feature("one", 0), feature("two", 3)] };
   const page = await open();
   await dropFile(page, "two.geojson", Buffer.from(JSON.stringify(json)));
-  await page.waitForFunction(() => document.querySelectorAll("#choose button").length === 2);
+  await page.waitForFunction(() => document.querySelectorAll("#choose button").length === 3);
   await answered(page);
-  await page.locator("#choose button").nth(1).click();
+  await page.locator("#choose button").nth(2).click();
   await answered(page);
-  assert.equal(await text(page, "#title"), await page.locator("#choose button").nth(1).textContent());
+  assert.equal(await text(page, "#title"), await page.locator("#choose button").nth(2).textContent());
   await page.context().close();
 });
 
