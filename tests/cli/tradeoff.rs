@@ -217,11 +217,11 @@ fn what_is_too_large_for_exact_work_is_refused_with_the_way_out() {
     // A limit that no mesh keeps is refused for that reason at any size.
     let too_low = ["--max-degree", "3", "-o", "x.obj"];
     mindeg(rectangle("mesh", large).into_iter().chain(too_low)).refuses(&["the least is 4"]);
-    mindeg(rectangle("tradeoff", large)).refuses(&["4100", "4096", "mindeg mesh"]);
     let capped = br#"{"rectangle": {"width": 4, "height": 3}, "size": 0.003, "sides": [
         {}, {"max_degree": 9}, {}, {}]}"#;
     mindeg_reading(["mesh", "-", "-o", "x.obj"], capped)
         .refuses(&["4096", "leave out outside_degree and max_degree"]);
+    mindeg_reading(["tradeoff", "-"], capped).refuses(&["4096", "mindeg mesh"]);
     assert!(!Path::new("x.obj").exists());
     mindeg(rectangle("tradeoff", "3,3,2,2").into_iter().chain(["-o", "x.pdf"]))
         .refuses(&["x.pdf", ".html"]);
@@ -391,4 +391,23 @@ fn the_fewest_edges_of_a_domain_with_holes_are_the_first_row() {
         let made = mindeg(words).json()["min_angle"].as_f64().expect("a number");
         assert!((made - angle).abs() < 1e-9, "{options:?}: {made} {angle}");
     }
+}
+
+/// Beyond the size of exact work a convex domain has a trade-off by windows, from the formula's least degree on.
+#[test]
+fn a_large_rectangle_has_a_trade_off_and_a_hint_with_figures() {
+    let domain = ["--rectangle", "4x3", "--intervals", "1300,1100,1300,1100"];
+    let found = mindeg([&["tradeoff"], &domain[..], &["--json"]].concat()).json();
+    let points = found["points"].as_array().expect("rows");
+    assert!(points.len() >= 2 && points[0]["max_degree"] == 4, "{found}");
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("mesh.obj").display().to_string();
+    let run = mindeg([&["mesh"], &domain[..], &["-o", &out]].concat());
+    let patch = found["advice"]["patch"]["min_angle"].as_f64().expect("an angle");
+    let words = format!("take degree {}: minimum angle", found["advised"]);
+    assert!(run.errors.contains(&words) && patch > 0.0, "{}", run.errors);
+    let made =
+        mindeg([&["mesh"], &domain[..], &["--optimize", "angle", "-o", &out, "--json"]].concat());
+    let angle = |value: &serde_json::Value| value["min_angle"].as_f64().expect("an angle");
+    assert!((angle(&made.json()) - angle(&points[0])).abs() < 1e-9, "{found}");
 }

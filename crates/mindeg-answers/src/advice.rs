@@ -8,14 +8,18 @@ pub use crate::purpose::{FEWEST, KEPT, Purpose};
 use crate::command::MeshCommand;
 use crate::numbers::{percent, steady_angle};
 use mindeg::beside::mesh_parts;
-use mindeg::exact::share_of;
+use mindeg::exact::{MAX_VERTICES, share_of};
 use mindeg::interior::{self, InteriorError, InteriorMesh, InteriorReport};
-use mindeg::{Domain, Goal, Interior, MeshError, Meshed, Progress};
+use mindeg::{Domain, Goal, Interior, MeshError, Meshed, Progress, is_by_formula};
 use schemars::JsonSchema;
 use serde::Serialize;
 
 /// A hint beside another answer has figures up to so many vertices: they take two meshes.
 const HINTED: usize = 2000;
+
+/// Up to so many vertices of convex domains that are too large for the search, a hint has the figures of the patch: a third of
+/// a second.
+const WINDOWED: usize = 50_000;
 
 /// The most points of a mesh with points inside that is made for an advice, or that the page of `explore` shows.
 pub const MOST_POINTS: usize = 200_000;
@@ -185,8 +189,18 @@ impl Advice {
     pub fn for_hint(domains: &[Domain], progress: Progress<'_>) -> Self {
         let points =
             |domain: &Domain| domain.rings().vertex_count() as usize + domain.inner_points().len();
-        if domains.iter().map(points).sum::<usize>() > HINTED {
-            return Self::UNMEASURED;
+        let count = domains.iter().map(points).sum::<usize>();
+        if count > HINTED {
+            // Windows alone give the patch of a large convex domain.
+            let is_quick = |domain: &Domain| {
+                is_by_formula(domain) && domain.rings().vertex_count() > MAX_VERTICES
+            };
+            if count > WINDOWED || !domains.iter().all(is_quick) {
+                return Self::UNMEASURED;
+            }
+            let patch = mesh_parts(domains, Goal::KeepAngle(KEPT), progress).ok();
+            let patch = patch.as_deref().and_then(AdvisedMesh::of_all);
+            return Self::among(Err(NoPoints::Unmeasured), patch, None);
         }
         Self::beside(domains, None, progress).0
     }
@@ -312,9 +326,9 @@ impl Advice {
         };
         let possible = self.purposes(None).into_iter().filter(|&purpose| self.is_possible(purpose));
         let is_measured = self.patch.is_some() || self.solver.is_some();
-        let measuring = command.measuring().filter(|_| !is_measured);
         let measuring =
-            measuring.map(|line| format!("hint: this takes longer, and measures them:\n{line}"));
+            || format!("hint: this takes longer, and measures them:\n{}", command.measuring());
+        let measuring = (!is_measured).then(measuring);
         possible.map(hint).chain(measuring).collect::<Vec<_>>().join("\n")
     }
 }

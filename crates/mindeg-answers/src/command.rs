@@ -2,7 +2,6 @@
 
 use crate::purpose::Purpose;
 use mindeg::Domain;
-use mindeg::exact::MAX_VERTICES;
 
 /// The command that makes meshes of a domain, as its reader named it.
 ///
@@ -28,8 +27,6 @@ pub struct MeshCommand {
     /// The stem of the names of the files to write, unless the words name them.
     stem: Option<String>,
     reads_standard_input: bool,
-    /// Whether the trade-off is worked out at this number of points.
-    is_measured: bool,
     inside: &'static [&'static str],
     boundary_alone: &'static [&'static str],
 }
@@ -42,7 +39,6 @@ impl Default for MeshCommand {
             domain: vec!["DOMAIN.json".to_owned()],
             stem: Some("mesh".to_owned()),
             reads_standard_input: false,
-            is_measured: true,
             inside: INSIDE,
             boundary_alone: &[],
         }
@@ -78,7 +74,6 @@ impl MeshCommand {
             domain: words.to_vec(),
             stem: Some(domain_stem(domain)),
             reads_standard_input: words.first().is_some_and(|word| word == "-"),
-            is_measured: domain.convex().is_none() || domain.rings().vertex_count() <= MAX_VERTICES,
             inside: inside_options(domain),
             boundary_alone: boundary_alone_options(domain),
         }
@@ -105,11 +100,11 @@ impl MeshCommand {
         }
     }
 
-    /// The command that measures the meshes to choose from, if there is one.
+    /// The command that measures the meshes to choose from.
     #[must_use]
-    pub fn measuring(&self) -> Option<String> {
+    pub fn measuring(&self) -> String {
         let words: Vec<String> = self.domain.iter().map(|word| shell_word(word)).collect();
-        self.is_measured.then(|| self.reading(format!("mindeg tradeoff {}", words.join(" "))))
+        self.reading(format!("mindeg tradeoff {}", words.join(" ")))
     }
 
     /// The command that makes a mesh without points inside, with these options.
@@ -230,10 +225,7 @@ mod tests {
             command.of_boundary_alone(&["--max-degree", "5"]),
             "mindeg mesh - --repair --max-degree 5 -o mesh-max-degree-5.obj < DOMAIN.json"
         );
-        let measuring = command.measuring();
-        assert_eq!(measuring.as_deref(), Some("mindeg tradeoff - --repair < DOMAIN.json"));
-        let large = Domain::rectangle(4.0, 3.0, vec![mindeg::Side::count(1025); 4]).unwrap();
-        assert_eq!(MeshCommand::of(&["a".to_owned()], &large).measuring(), None);
+        assert_eq!(command.measuring(), "mindeg tradeoff - --repair < DOMAIN.json");
     }
 
     #[test]

@@ -12,6 +12,7 @@ use mindeg_domain::Domain;
 use mindeg_exact::{Optimum, best_angle};
 use mindeg_mesh::Progress;
 
+use crate::boundary_mesh::BoundaryMesh;
 pub use crate::degree::{DegreeAnswer, DegreeBound, degree, degree_of_boundary, degree_with};
 use crate::degree_first::degree_first;
 pub use crate::error::MeshError;
@@ -169,7 +170,11 @@ pub fn trade_off_until(
     if domain.is_map() {
         return map::trade_off(domain, is_enough, progress);
     }
-    let posed = Posed::new(domain, progress)?;
+    // Windows keep limits of single vertices by chance only.
+    let posed = match domain.is_constrained() {
+        true => Posed::new(domain, progress)?,
+        false => Posed::of_any_size(domain, progress)?,
+    };
     if posed.has_best_angles(progress)? {
         exact_trade_off(&posed, is_enough, progress)
     } else if let Some(searched) = Searched::new(&posed, progress)? {
@@ -193,7 +198,8 @@ pub(crate) fn exact_trade_off(
     Ok(TradeOff::new(posed.domain(), meshes, answer.unlimited_min_angle, true))
 }
 
-/// The angles that windows reach at each degree, with holes and beyond the budget of exact work.
+/// The angles that windows reach at each degree, with holes and beyond the budget of exact work; the formula gives the least
+/// degree where it can.
 fn trade_off_by_windows(
     posed: &Posed<'_>,
     mut is_enough: impl FnMut(f64, f64) -> bool,
@@ -208,16 +214,20 @@ fn trade_off_by_windows(
         let min_angle = mesh.measure_angles(progress)?.min;
         meshes.push(ExactMesh { max_degree, min_angle, is_proven: false, mesh });
     }
-    let least = degree_first(posed, progress)?;
-    let max_degree = least.mesh.max_total_degree();
+    let is_by_formula = posed.domain().convex().is_some() && !posed.domain().is_constrained();
+    let least = match is_by_formula {
+        true => BoundaryMesh::of_formula(posed.domain(), progress)?,
+        false => degree_first(posed, progress)?.mesh,
+    };
+    let max_degree = least.max_total_degree();
     if meshes.last().is_none_or(|last| max_degree < last.max_degree) {
-        let min_angle = least.mesh.measure_angles(progress)?.min;
-        meshes.push(ExactMesh { max_degree, min_angle, is_proven: false, mesh: least.mesh });
+        let min_angle = least.measure_angles(progress)?.min;
+        meshes.push(ExactMesh { max_degree, min_angle, is_proven: false, mesh: least });
     }
     meshes.reverse();
     let enough = meshes.iter().position(|exact| is_enough(exact.min_angle, most));
     meshes.truncate(enough.map_or(meshes.len(), |index| index + 1));
-    Ok(TradeOff::new(posed.domain(), meshes, most, false))
+    Ok(TradeOff::new(posed.domain(), meshes, most, is_by_formula))
 }
 
 fn placed(posed: &Posed<'_>, optimum: Optimum) -> Result<ExactMesh, MeshError> {
