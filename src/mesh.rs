@@ -19,14 +19,15 @@ use mindeg::{Domain, FoundBy, Goal, Meshed, Progress};
 use mindeg_answers::advice::{Advice, Purpose};
 use mindeg_answers::mesh::{self as words, MeshAnswer};
 use mindeg_exact::{MAX_VERTICES, Unsolved};
-use mindeg_files::Wanted;
-use std::path::PathBuf;
+use mindeg_files::{Format, Wanted, is_domain_name, is_mesh_name};
+use std::path::{Path, PathBuf};
 
 pub(crate) use features::is_one_mesh;
 
 pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
     let output = &arguments.surface.output;
     let (file, options) = (arguments.domain.file.as_deref(), &arguments.domain.options);
+    refuse_swapped(file, output)?;
     let subject = opened(arguments)?;
     match subject {
         Subject::Domain(domain) => mesh_of(&domain, arguments, output),
@@ -55,6 +56,19 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
             model::run(&model::of_mesh(&mesh, file, options, &arguments.model)?, arguments)
         }
     }
+}
+
+/// Refuses `mesh plate.obj -o plate.dxf`, where the domain is there: no mesh is written in its format.
+fn refuse_swapped(file: Option<&Path>, output: &[PathBuf]) -> Result<(), Failure> {
+    let (Some(file), [domain]) = (file, output) else { return Ok(()) };
+    let is_domain = is_domain_name(domain) && Format::of_path(domain).is_none();
+    if !is_domain || !is_mesh_name(file) || !domain.exists() {
+        return Ok(());
+    }
+    let (file, domain) = (file.display(), domain.display());
+    Err(Failure::Input(format!(
+        "{domain} is a domain; swap the two: mindeg mesh {domain} -o {file}"
+    )))
 }
 
 /// The domain or model that is to be meshed. If its boundary is conditioned, its edges get their lengths so.

@@ -6,12 +6,14 @@ use crate::domain::{Parts, Subject, from_options, in_file};
 use crate::failure::Failure;
 use crate::interrupt::{SESSION, clean_up_on_interrupt};
 use crate::making::{WithFiles, wrote};
+use crate::mesh::model::{bad, divided};
 use crate::mesh::{WITHOUT_CONSTRAINTS, unsolved};
 use crate::provenance::{mesh_command, provenance};
 use crate::standard_output::print_json;
 use crate::terminal::say;
 use mindeg::beside::mesh_all;
-use mindeg::{GoalKind, Progress, interior};
+use mindeg::model::{fill_model, mesh_model};
+use mindeg::{GoalKind, Interior, Model, Progress, interior};
 use mindeg_answers::advice::{Advice, Purpose};
 use mindeg_answers::mesh::ListedMesh;
 use mindeg_compare::write_view;
@@ -40,6 +42,11 @@ pub(crate) fn run(arguments: &ViewArguments) -> Result<(), Failure> {
         (Subject::Mesh(mesh), Some(path)) => {
             refuse_for_mesh(path, arguments)?;
             (*mesh, path.display().to_string(), None)
+        }
+        (Subject::Model(model), file) => {
+            let model = divided(*model, file.as_deref(), &arguments.options)?;
+            let name = model.name().unwrap_or("the model").to_owned();
+            (mesh_of_model(&model, arguments, &bar)?, name, None)
         }
         (subject, _) => {
             let parts = subject.parts()?;
@@ -96,6 +103,18 @@ fn refuse_for_mesh(path: &Path, arguments: &ViewArguments) -> Result<(), Failure
         ))),
         None => Ok(()),
     }
+}
+
+/// The mesh of a whole model.
+fn mesh_of_model(model: &Model, arguments: &ViewArguments, bar: &Bar) -> Result<TriMesh, Failure> {
+    let file = arguments.file.as_deref();
+    if arguments.interior || arguments.goal.purpose == Some(Purpose::Solver) {
+        let filled = bar.work(|progress| fill_model(model, &Interior::default(), progress));
+        return Ok(filled.map_err(|error| bad(file, &error))?.mesh);
+    }
+    let goal = arguments.goal.goal();
+    let meshed = bar.work(|progress| mesh_model(model, goal, 1.0, progress));
+    Ok(meshed.map_err(|error| bad(file, &error))?.mesh)
 }
 
 /// Whether the file of a domain asks for points inside.

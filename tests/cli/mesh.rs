@@ -329,3 +329,10 @@ fn the_first_row_is_what_mesh_makes_or_names() {
     assert_eq!(plain["max_degree"], best["max_degree"]);
     assert!(angle(&best) > 1.1 * angle(&plain), "{plain} {best}");
 }
+
+#[test]
+fn a_mesh_and_a_domain_in_each_others_place_are_told() {
+    let part = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/outlines/part.dxf");
+    let words = format!("swap the two: mindeg mesh {part} -o plate.obj");
+    mindeg(["mesh", "plate.obj", "-o", part, "--size", "1"]).refuses(&[&words]);
+}

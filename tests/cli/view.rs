@@ -125,3 +125,15 @@ fn a_domain_comes_from_standard_input_and_a_closed_pipe_is_no_failure() {
     assert!(run.text().contains("<h1>a plate</h1>"));
     ends_quietly_when_nobody_reads(["view", "--rectangle", "4x3", "--size", "0.01", "-o", "-"]);
 }
+
+/// A whole model is shown by its mesh.
+#[test]
+fn a_model_is_shown() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let page = folder.path().join("cube.html").display().to_string();
+    let cube = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/models/cube.json");
+    let least = mindeg(["view", cube, "-o", &page, "--json"]).json();
+    assert!(std::fs::metadata(&page).is_ok());
+    let inside = mindeg(["view", cube, "--interior", "-o", &page, "--json"]).json();
+    assert!(inside["vertices"].as_u64() > least["vertices"].as_u64(), "{least} {inside}");
+}

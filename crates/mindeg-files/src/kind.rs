@@ -17,7 +17,7 @@ pub enum Wanted {
     Domain,
     /// That, or a model: JSON with faces, a glTF, or an OBJ with faces.
     Model,
-    /// A domain, polygons, or a mesh to look at.
+    /// A domain, polygons, a model in JSON, or a mesh to look at.
     Mesh,
 }
 

@@ -87,8 +87,8 @@ impl Session {
                     return Ok(Content::Domain(text));
                 }
                 match wanted {
-                    Wanted::Model => Ok(Content::Model(text)),
-                    _ => Err(wrong(
+                    Wanted::Model | Wanted::Mesh => Ok(Content::Model(text)),
+                    Wanted::Domain => Err(wrong(
                         "it is a whole model: mindeg mesh meshes its faces and tells their least degree; a domain is expected"
                             .to_owned(),
                     )),
