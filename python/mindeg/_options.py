@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class GoalOptions(TypedDict, total=False):
-    """What a mesh of boundary points is to be; ``mindeg.GOALS`` explains each. Give one of them."""
+    """What a mesh of boundary points is to be; ``mindeg.GOALS`` explains each. Give one of them, and ``max_degree`` beside it."""
 
     keep_angle: float | str | None
     max_degree: int | None

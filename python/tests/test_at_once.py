@@ -138,7 +138,7 @@ def test_the_rules_of_a_program_must_be_kept(tmp_path):
         ({"interior": True, "keep_angle": 0.9}, ValueError, "keep_angle is for meshes of boundary points alone"),
         ({"interior": {"growth": 0.3}}, TypeError, "interior is .*give True or False"),
         ({"groth": 0.3}, TypeError, 'no option is named "groth"; the options are'),
-        ({"max_degree": 3, "keep_angle": 0.9}, ValueError, "exclude each other"),
+        ({"optimize": "angle", "keep_angle": 0.9}, ValueError, "exclude each other"),
         ({"effort": "much"}, TypeError, "."),
     ],
 )

@@ -124,7 +124,8 @@ def test_comparing_gives_the_report():
         (lambda: mindeg.rectangle(4, 3, intervals=[1, 2, 3]), "found 3 intervals for 4 sides"),
         (lambda: mindeg.rectangle(4, 3), "either intervals or size"),
         (lambda: mindeg.rectangle(4, 3, size=1).mesh(keep_angle=200), "a share from 0 to 1"),
-        (lambda: mindeg.rectangle(4, 3, size=1).mesh(max_degree=5, keep_angle=0.9), "exclude"),
+        (lambda: mindeg.rectangle(4, 3, size=1).mesh(optimize="angle", keep_angle=0.9), "exclude"),
+        (lambda: mindeg.rectangle(4, 3, intervals=[12, 9, 4, 4]).mesh(max_degree=5, keep_angle=0.95), "maximum degree 6"),
         (lambda: mindeg.rectangle(4, 3, intervals=[9, 1, 1, 1]).mesh(max_degree=3), "3"),
         (lambda: mindeg.Domain({"type": "Point", "coordinates": [0, 0]}), "only 1 Point"),
         (lambda: mindeg.Domain([[0, 0, 0], [1, 0, 0], [0, 1, 0]]), "give (n, 2)"),
@@ -256,3 +257,11 @@ def test_periodic_sides_come_as_pairs_of_vertices():
     assert 1.2 in mesh.points[here, 1]
     assert pickle.loads(pickle.dumps(mesh)) == mesh
     assert mindeg.rectangle(1, 1, intervals=2).mesh().periodic == {}
+
+
+def test_a_limit_of_the_degree_goes_with_the_largest_angle():
+    domain = mindeg.rectangle(4, 3, intervals=[12, 9, 4, 4])
+    limited = domain.mesh(max_degree=5, optimize="angle")
+    assert limited == domain.mesh(max_degree=5)
+    assert limited.max_degree == 5
+    assert domain.mesh(max_degree=6, keep_angle=0.95).max_degree == 6

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use mindeg::Triangles as _;
 use mindeg::interior::mesh_all;
 use mindeg::model::{fill_model, mesh_model};
 use mindeg::{
@@ -236,6 +237,7 @@ fn mesh_of_model(
     } else {
         let (goal, effort) = (wish.goal()?, of_model.effort);
         let meshed = done(py, |progress| mesh_model(model, goal, effort, progress))?;
+        wish.refuse_above(meshed.mesh.max_degree())?;
         let answer = ModelAnswer::of(model, &meshed);
         (meshed.mesh, answer)
     };
@@ -269,6 +271,7 @@ fn mesh_of_polygons(
         let found = done(py, |progress| {
             beside::mesh_all(&domains, goal, progress).map_err(|(at, error)| of_part(at, &error))
         })?;
+        wish.refuse_above(found.mesh.max_degree())?;
         let (least, is_known) = found.least_max_degree();
         let least_max_degree = is_known.then_some(least);
         let facts = Facts { least_max_degree, projection, ..Facts::default() };

@@ -64,7 +64,17 @@ impl Wish<'_> {
     }
 
     pub(crate) fn goal(&self) -> PyResult<Goal> {
-        read_goal(&self.goal)
+        Ok(read_goal(&self.goal)?.0)
+    }
+
+    /// Refuses a mesh of a higher degree than is demanded beside another goal.
+    pub(crate) fn refuse_above(&self, reached: u32) -> PyResult<()> {
+        match read_goal(&self.goal)?.1 {
+            Some(limit) if reached > limit => Err(value_error(format!(
+                "{LIMIT} is {limit}, and the mesh has maximum degree {reached}; raise it, or give less of the angle"
+            ))),
+            _ => Ok(()),
+        }
     }
 
     /// The wish for points inside, in place of the domain's own, and the points that the mesh must have.
@@ -79,6 +89,7 @@ impl Wish<'_> {
         }
         let goal = self.goal()?;
         let meshed = done(py, |progress| mindeg::mesh(domain, goal, progress))?;
+        self.refuse_above(meshed.mesh.max_total_degree())?;
         let facts = Facts {
             least_max_degree: meshed.is_least_proven.then_some(meshed.least_max_degree),
             found_by: Some(found_by(meshed.found_by).to_owned()),
@@ -115,32 +126,41 @@ impl Wish<'_> {
     }
 }
 
-/// The goal among keyword arguments; one that is `None` is not given.
-fn read_goal(given: &Bound<'_, PyDict>) -> PyResult<Goal> {
-    let mut found: Option<(String, Goal)> = None;
+/// The goal among keyword arguments, and the maximum degree that is demanded besides: as on the command line the first of the
+/// table decides. One that is `None` is not given.
+fn read_goal(given: &Bound<'_, PyDict>) -> PyResult<(Goal, Option<u32>)> {
+    let mut found: Vec<(usize, Goal)> = Vec::new();
     for (key, value) in given.iter().filter(|(_, value)| !value.is_none()) {
         let key = key.to_string();
-        let Some(kind) = GOALS.iter().find(|kind| kind.key == key) else {
+        let Some(place) = GOALS.iter().position(|kind| kind.key == key) else {
             let keys: Vec<&str> = GOALS.iter().map(|kind| kind.key).collect();
             return Err(value_error(format!(
                 "no goal is named \"{key}\"; give {}",
                 keys.join(", ")
             )));
         };
-        if let Some((other, _)) = found {
-            return Err(value_error(format!(
-                "{other} and {key} exclude each other; give one of them"
-            )));
-        }
-        if kind.key == "max_degree" && value.is_instance_of::<PyString>() {
+        if key == LIMIT && value.is_instance_of::<PyString>() {
             return Err(value_error(format!("{key} is the text {value}; give a whole number")));
         }
-        let goal = kind.read(&value.str()?.to_string_lossy());
+        let goal = GOALS[place].read(&value.str()?.to_string_lossy());
         let goal = goal.map_err(|problem| value_error(format!("{key}: {problem}")))?;
-        found = Some((key, goal));
+        found.push((place, goal));
     }
-    Ok(found.map(|(_, goal)| goal).unwrap_or_default())
+    found.sort_by_key(|(place, _)| *place);
+    let others: Vec<&str> =
+        found.iter().map(|(place, _)| GOALS[*place].key).filter(|key| *key != LIMIT).collect();
+    if let [one, other, ..] = others[..] {
+        return Err(value_error(format!("{one} and {other} exclude each other; give one of them")));
+    }
+    let limit = found.iter().find_map(|(_, goal)| match goal {
+        Goal::MaxDegree(limit) => Some(*limit),
+        _ => None,
+    });
+    Ok((found.first().map(|(_, goal)| *goal).unwrap_or_default(), limit))
 }
+
+/// The goal that is a demand beside others.
+const LIMIT: &str = "max_degree";
 
 /// The goals of a mesh, as dicts.
 #[pyfunction]
