@@ -211,7 +211,7 @@ fn several_polygons_are_listed_chosen_or_written_to_a_folder() {
     ]);
     mindeg(["mesh", map, "--separate", "-o", one_file])
         .refuses(&["has 3 polygons, and", "x.obj is one file; give a folder, such as -o meshes/"]);
-    mindeg(["suggest", map]).refuses(&["has 3 polygons; choose one with --feature, by its name or index: 1 (Isles 1), 2 (Isles 2), 3"]);
+    mindeg(["domain", map, "-o", "x.json"]).refuses(&["has 3 polygons; choose one with --feature, by its name or index: 1 (Isles 1), 2 (Isles 2), 3"]);
     assert!(!Path::new(one_file).exists());
 
     let out = folder.path().join("out/");
@@ -389,9 +389,9 @@ fn mistakes_are_named_with_what_to_do() {
         call.extend(options);
         mindeg(&call).refuses(words);
     }
-    // mesh and degree take faces as a model.
+    // mesh, degree and suggest take faces as a model.
     let mesh = at("mesh.obj");
-    mindeg(["suggest".as_ref(), mesh.as_os_str()]).refuses(&[
+    mindeg(["tradeoff".as_ref(), mesh.as_os_str()]).refuses(&[
         "mesh.obj: the file has faces, so it is a model or a mesh: mindeg mesh meshes its faces and tells their least degree",
     ]);
 }
