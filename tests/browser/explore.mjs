@@ -865,7 +865,7 @@ test("a surface that the page starts with is there again after a reload, until t
   }
 });
 
-test("a boundary too large to compare all degrees still has advice", async () => {
+test("a boundary too large for the search has a curve and advice", async () => {
   const page = await open();
   const sides = [1500, 1000, 1500, 1000].map((intervals) => ({ intervals }));
   const large = { name: "large", rectangle: { width: 4, height: 3 }, sides };
@@ -873,7 +873,7 @@ test("a boundary too large to compare all degrees still has advice", async () =>
   await page.waitForFunction(() => document.querySelector("#title").textContent === "large");
   await answered(page);
   assert.match(await text(page, "#advice"), /^For a patch that must keep its points, take degree \d+: minimum angle .* For a solver, put points inside\.$/);
-  assert.match(await text(page, "#curve-note"), /^Not compared: .*5000.*\.$/);
+  assert.match(await text(page, "#curve-note"), /^Not all of these are proven: /);
   // No button promises a mesh that the page has not: the command stands in its place, and the picture has the boundary.
   await page.locator("[data-purpose=solver]").click();
   await answered(page);
@@ -898,8 +898,7 @@ test("a boundary too large to compare all degrees still has advice", async () =>
   await page.locator("[data-purpose=patch]").click();
   await answered(page);
   assert.ok(await page.locator("#download").isVisible());
-  assert.ok(!await page.locator("#curve").isVisible());
-  await choose(page, "figure-1");
+  // Windows give its curve.
   assert.ok(await page.locator("#curve").isVisible());
   await page.context().close();
 });
