@@ -80,7 +80,9 @@ fn opened(arguments: &MeshArguments) -> Result<Subject, Failure> {
                 "{option} says how a boundary may change: add --condition"
             )));
         }
-        return subject(&arguments.domain, Wanted::Model, &bar);
+        let subject = subject(&arguments.domain, Wanted::Model, &bar)?;
+        subject.refuse_degrees(arguments.interior.wanted.lengths())?;
+        return Ok(subject);
     }
     if arguments.change.changes.is_some() && !is_one_mesh(arguments) {
         return Err(Failure::input(
@@ -93,6 +95,7 @@ fn opened(arguments: &MeshArguments) -> Result<Subject, Failure> {
     domain.options.outline.mends = Some(arguments.change.room(size));
     let subject = subject(&domain, Wanted::Model, &bar)?;
     refuse_degrees(&subject, &arguments.change, size)?;
+    subject.refuse_degrees(arguments.interior.wanted.lengths())?;
     match subject {
         Subject::Model(_) | Subject::Mesh(_) => Err(Failure::input(
             "--condition changes the boundary of a domain in the plane, and this is a model; leave it out",

@@ -12,6 +12,9 @@ use mindeg::{Interior, TriMesh};
 use mindeg_answers::stitch::StitchAnswer;
 use mindeg_files::{Wanted, look_like_degrees};
 
+/// Meshes in degrees that lie farther apart are nearest across the antimeridian.
+const HALF_ROUND: f64 = 180.0;
+
 pub(crate) fn run(arguments: &StitchArguments) -> Result<(), Failure> {
     let surface = &arguments.surface;
     let mut making = Making::new(surface, &surface.output, arguments.quiet, arguments.json)?;
@@ -35,6 +38,17 @@ pub(crate) fn run(arguments: &StitchArguments) -> Result<(), Failure> {
         say(
             "the coordinates look like degrees and are taken as planar: --project auto makes metres of them",
         );
+    }
+    // The gap would go around the globe.
+    let is_flat = projection.is_none() && area.as_ref().is_none_or(|it| it.projection().is_none());
+    let longitudes = points().map(|at| at.x);
+    let [least, most] =
+        longitudes.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)]);
+    if is_flat && look_like_degrees(points()) && most - least > HALF_ROUND {
+        return Err(Failure::input(
+            "the meshes lie on both sides of the antimeridian, and as planar coordinates the gap goes around the globe: \
+             add --project auto",
+        ));
     }
     let gap = area.as_ref().map_or(Gap::Overlap(projection.as_ref()), Gap::Within);
     making.open()?;

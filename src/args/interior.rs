@@ -2,7 +2,7 @@
 //!
 //! The options are the keys of [`Interior`] that have one value, with the texts of its JSON Schema.
 
-use super::values::target_angle;
+use super::values::{Length, length_with_unit, target_angle};
 use clap::builder::{PossibleValuesParser, TypedValueParser, ValueParser};
 use clap::error::{Error, ErrorKind};
 use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
@@ -39,8 +39,14 @@ pub(crate) struct InteriorArguments {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Wanted<const PLACES: bool> {
     given: Map<String, Value>,
+    /// The lengths among them that were given with a unit.
+    metric: Vec<String>,
     pub(crate) write_anyway: bool,
 }
+
+/// The keys that are lengths.
+const LENGTHS: [(&str, &str); 3] =
+    [("size_inside", "--size-inside"), ("min_size", "--min-size"), ("max_size", "--max-size")];
 
 /// The aims of an optimiser.
 const AIMS: [&str; 5] =
@@ -62,6 +68,15 @@ impl<const PLACES: bool> Wanted<PLACES> {
         Some(format!("--{}", key.replace('_', "-")))
     }
 
+    /// The lengths that are given, with their options.
+    pub(crate) fn lengths(&self) -> [(&'static str, Option<Length>); 3] {
+        LENGTHS.map(|(key, option)| {
+            let value = self.given.get(key).and_then(Value::as_f64);
+            let is_metric = self.metric.iter().any(|metric| metric == key);
+            (option, value.map(|value| Length { value, is_metric }))
+        })
+    }
+
     pub(crate) fn target_angle(&self) -> Option<f64> {
         self.over(None).target_angle
     }
@@ -71,6 +86,9 @@ impl<const PLACES: bool> Wanted<PLACES> {
         KEYS.iter().filter(|it| PLACES || AIMS.contains(&&*it.name))
     }
 }
+
+/// The key of a length with its unit, until it is told apart from one without.
+const METRES: &str = "metres";
 
 static KEYS: LazyLock<Vec<InteriorKey>> = LazyLock::new(interior_keys);
 
@@ -92,6 +110,10 @@ fn option(key: &'static InteriorKey) -> Arg {
     }
     arg.value_parser(ValueParser::from(move |text: &str| match name {
         "target_angle" => target_angle(text).map(|angle| json!(angle)),
+        _ if LENGTHS.iter().any(|length| length.0 == name) => match length_with_unit(text) {
+            Ok(length) if length.is_metric => Ok(json!({ METRES: length.value })),
+            _ => value(name, text),
+        },
         _ => value(name, text),
     }))
 }
@@ -154,6 +176,9 @@ impl<const PLACES: bool> FromArgMatches for Wanted<PLACES> {
         for InteriorKey { name, .. } in Self::keys() {
             let found = matches.try_get_one::<Value>(name);
             let found = found.map_err(|error| Error::raw(ErrorKind::InvalidValue, error))?;
+            let metres = found.and_then(|value| value.get(METRES));
+            wanted.metric.extend(metres.map(|_| name.clone()));
+            let found = metres.or(found);
             wanted.given.extend(found.map(|value| (name.clone(), value.clone())));
         }
         Ok(wanted)
@@ -191,7 +216,7 @@ mod tests {
     fn options_go_before_a_file() {
         let file = Interior { growth: Some(0.1), boundary_degree: Some(6), ..Interior::default() };
         let given = Map::from_iter([("growth".to_owned(), json!(0.3))]);
-        let wanted = Wanted::<true> { given, write_anyway: false }.over(Some(&file));
+        let wanted = Wanted::<true> { given, ..Wanted::default() }.over(Some(&file));
         assert_eq!((wanted.growth, wanted.boundary_degree), (Some(0.3), Some(6)));
     }
 }

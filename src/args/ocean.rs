@@ -82,7 +82,7 @@ impl BoundaryKinds {
         for ends in self.open_between.chunks_exact(2) {
             let off = |end: &[f64; 2]| {
                 let distances =
-                    domains.iter().map(|domain| domain.distance_to_outer((*end).into()));
+                    domains.iter().map(|domain| domain.distance_to_boundary((*end).into()));
                 length(distances.fold(f64::INFINITY, f64::min), is_projected)
             };
             say(&format!(

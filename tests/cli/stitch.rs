@@ -130,6 +130,19 @@ fn what_cannot_be_stitched_is_refused_with_the_place() {
 }
 
 #[test]
+fn a_hole_of_the_area_is_an_island() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [ocean, river, _] = meshes(folder.path(), RIVER);
+    let area = folder.path().join("island.wkt").display().to_string();
+    let rings = "(9.8 3.7, 13.2 4.3, 13.2 5.7, 9.8 6.2), (11 4.9, 11.4 5, 11 5.1)";
+    fs::write(&area, format!("POLYGON ({rings})")).expect("an area");
+    let out = folder.path().join("both.14").display().to_string();
+    mindeg(["stitch", &ocean, &river, "--within", &area, "-o", &out]).text();
+    let text = fs::read_to_string(&out).expect("a mesh");
+    assert!(text.contains(" 1 = nodes of island boundary"), "{text}");
+}
+
+#[test]
 fn meshes_beside_the_antimeridian_are_joined_across_it() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = |name: &str| folder.path().join(name).display().to_string();
@@ -150,6 +163,14 @@ fn meshes_beside_the_antimeridian_are_joined_across_it() {
     let ring = [[179.95, -16.65], [-179.6, -16.65], [-179.6, -16.35], [179.95, -16.35]];
     let area = polygon("area", ring);
     let out = path("both.14");
+    let planar = ["both sides of the antimeridian", "--project auto"];
+    mindeg(["stitch", &ocean, &river, "--within", &area, "-o", &out]).refuses(&planar);
+    let metres = path("metres.2dm");
+    mindeg(["convert", &ocean, "-o", &metres]).text();
+    let text = fs::read_to_string(&metres).expect("a mesh").replace(" 179", " 179000");
+    fs::write(&metres, text).expect("a mesh");
+    mindeg(["stitch", &metres, &river, "--within", &area, "--project", "auto", "-o", &out])
+        .refuses(&["a mesh is not in degrees", "in the coordinates of the meshes"]);
     let run =
         mindeg(["stitch", &ocean, &river, "--within", &area, "--project", "auto", "-o", &out]);
     run.text();

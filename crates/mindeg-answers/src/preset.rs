@@ -184,12 +184,13 @@ impl PresetRules {
         if let Some(least) = self.least_interior_triangles {
             vertex(
                 &|v| !v.is_boundary() && v.triangles < least,
-                &format!(" triangles, below {least}"),
+                &format!(" triangles, below {least}; mindeg improve makes it 5 to 7"),
                 &|v| v.triangles,
             );
         }
         if let Some(most) = self.most_triangles {
-            vertex(&|v| v.triangles > most, &format!(" triangles, above {most}"), &|v| v.triangles);
+            let what = format!(" triangles, above {most}; mindeg improve makes it 5 to 7 inside");
+            vertex(&|v| v.triangles > most, &what, &|v| v.triangles);
         }
         if let Some(most) = self.most_edges {
             vertex(&|v| v.edges > most, &format!(" edges, above {most}"), &|v| v.edges);
@@ -211,7 +212,8 @@ impl PresetRules {
                 .min_by(|a, b| a.1.min_angle.total_cmp(&b.1.min_angle));
             if let Some((index, quality)) = bad {
                 broken.push(format!(
-                    "triangle {index} has angles from {} to {}, outside {}° to {}°",
+                    "triangle {index} has angles from {} to {}, outside {}° to {}°; points inside and two triangles at each corner of \
+                     the boundary (--boundary-corners 2) make them better",
                     steady_angle(quality.min_angle),
                     steady_angle(quality.max_angle),
                     range.start(),
@@ -384,16 +386,24 @@ mod tests {
     #[test]
     fn presets_name_what_breaks_them() {
         for (name, corners, broken) in [
-            ("swan", 3, "vertex 0 has 3 triangles, below 4"),
+            ("swan", 3, "vertex 0 has 3 triangles, below 4; mindeg improve makes it 5 to 7"),
             ("swan", 4, ""),
             ("swan", 10, ""),
-            ("swan", 11, "vertex 0 has 11 triangles, above 10"),
+            (
+                "swan",
+                11,
+                "vertex 0 has 11 triangles, above 10; mindeg improve makes it 5 to 7 inside",
+            ),
             ("adcirc", 3, ""),
             ("anuga", 3, ""),
             ("telemac", 3, ""),
             ("schism", 60, ""),
             ("fvcom", 8, ""),
-            ("fvcom", 9, "vertex 0 has 9 triangles, above 8"),
+            (
+                "fvcom",
+                9,
+                "vertex 0 has 9 triangles, above 8; mindeg improve makes it 5 to 7 inside",
+            ),
             ("qmap", 6, ""),
             ("qmap", 7, "vertex 0 has 7 edges, above 6"),
             ("sms", 6, ""),

@@ -1,5 +1,7 @@
 //! The open water, the land and the islands of a coastal model, as kinds of sides.
 
+use std::ops::Range;
+
 use glam::DVec2;
 use mindeg_mesh::{LineKind, significant};
 
@@ -17,8 +19,8 @@ pub enum OpenWater {
     Box,
     /// The sides of a name.
     Side(String),
-    /// The boundary from the vertex nearest to the first point to that nearest to the second, counter-clockwise; points
-    /// are in degrees if the domain was projected.
+    /// The boundary from the vertex nearest to the first point to that nearest to the second, with the domain on the left, on the
+    /// ring that both lie nearest to; points are in degrees if the domain was projected.
     Between([DVec2; 2]),
 }
 
@@ -34,7 +36,7 @@ impl Domain {
     ///
     /// Sides that have no name are called open, land or island, so that a file has few long boundaries; the open water of
     /// [`OpenWater::Box`], and a stretch of sides with several names, is called open whatever its sides were called. A kind that a side has stays, but for open water.
-    /// Of the stretches that are on the box alone the longest is open: a box cuts bays and straits, too. With a `least_length` all
+    /// Of the stretches that are on the box the longest is open: a box cuts bays and straits, too. With a `least_length` all
     /// stretches are open that are no shorter. The others are land; all are told.
     ///
     /// # Errors
@@ -107,6 +109,12 @@ impl Domain {
             if !is_anywhere {
                 return Err(nowhere(part, domains));
             }
+        }
+        for (domain, asked) in domains.iter().zip(&mut asked) {
+            let is_open = |edge: u32| {
+                domain.sides()[domain.rings().side_of(edge)].kind == Some(LineKind::Open)
+            };
+            (0..).zip(asked).for_each(|(edge, own)| own.is_given = is_open(edge));
         }
         let mut found = Vec::new();
         let mut opened = |(domain, mut asked): (&Self, Vec<Asked>)| {
@@ -195,18 +203,28 @@ impl Domain {
         })
     }
 
-    /// The vertex of the outer ring that is nearest to a point, counted along it, and how far that is, squared.
-    fn nearest(&self, outer: &[u32], point: DVec2) -> Option<(usize, f64)> {
+    /// The vertex of a ring that is nearest to a point, and how far that is, squared.
+    fn nearest(&self, ring: Range<u32>, point: DVec2) -> (u32, f64) {
         let point = self.projection.map_or(point, |projection| projection.to_plane(point));
-        let distance = |vertex: &u32| self.placement().point(*vertex).distance_squared(point);
-        outer.iter().map(distance).enumerate().min_by(|a, b| a.1.total_cmp(&b.1))
+        let distance = |vertex: u32| self.placement().point(vertex).distance_squared(point);
+        let all = ring.clone().map(|vertex| (vertex, distance(vertex)));
+        all.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((ring.start, f64::INFINITY))
     }
 
-    /// How far the nearest vertex of the outer boundary is from a point, which is in degrees if the domain was projected.
+    /// How far the nearest vertex of the boundary is from a point, which is in degrees if the domain was projected.
     #[must_use]
-    pub fn distance_to_outer(&self, point: DVec2) -> f64 {
-        let outer: Vec<u32> = self.rings().rings().next().into_iter().flatten().collect();
-        self.nearest(&outer, point).map_or(f64::INFINITY, |it| libm::sqrt(it.1))
+    pub fn distance_to_boundary(&self, point: DVec2) -> f64 {
+        let distances = self.rings().rings().map(|ring| self.nearest(ring, point).1);
+        libm::sqrt(distances.fold(f64::INFINITY, f64::min))
+    }
+
+    /// The ring that two points lie nearest to together, the vertices there that are nearest to them, and how far these are, squared.
+    fn nearest_ring(&self, ends: &[DVec2; 2]) -> Option<(Range<u32>, [u32; 2], f64)> {
+        let of = |ring: Range<u32>| {
+            let [a, b] = ends.map(|end| self.nearest(ring.clone(), end));
+            (ring, [a.0, b.0], a.1 + b.1)
+        };
+        self.rings().rings().map(of).min_by(|a, b| a.2.total_cmp(&b.2))
     }
 
     /// Refuses an end of open water that is no place of a domain, or far from all.
@@ -219,7 +237,7 @@ impl Domain {
                 end.x, end.y
             ));
         }
-        let distances = domains.iter().map(|domain| domain.distance_to_outer(end));
+        let distances = domains.iter().map(|domain| domain.distance_to_boundary(end));
         let distance = distances.fold(f64::INFINITY, f64::min);
         if distance > size * FAR {
             let unit = if is_projected { " m" } else { "" };
@@ -236,8 +254,7 @@ impl Domain {
 
     /// How far the boundary is from two points together, squared.
     fn distance_of(&self, ends: &[DVec2; 2]) -> f64 {
-        let outer: Vec<u32> = self.rings().rings().next().into_iter().flatten().collect();
-        ends.iter().filter_map(|end| self.nearest(&outer, *end)).map(|it| it.1).sum()
+        self.nearest_ring(ends).map_or(f64::INFINITY, |found| found.2)
     }
 
     /// The first vertices of the edges of a part, if there are any; the box is given.
@@ -259,11 +276,12 @@ impl Domain {
             OpenWater::Box => self.on_box(&outer, all),
             OpenWater::Side(name) => of_sides(&|side| self.side_name(side) == *name),
             OpenWater::Between(ends) => {
-                let [from, to] = ends.map(|end| self.nearest(&outer, end));
-                let (Some((from, _)), Some((to, _))) = (from, to) else { return Vec::new() };
-                let count = outer.len();
+                let Some((ring, [from, to], _)) = self.nearest_ring(ends) else {
+                    return Vec::new();
+                };
+                let count = ring.len() as u32;
                 let steps = (to + count - from) % count;
-                (0..steps).map(|step| outer[(from + step) % count]).collect()
+                (0..steps).map(|step| ring.start + (from - ring.start + step) % count).collect()
             }
         }
     }
@@ -485,8 +503,33 @@ mod tests {
         let north = OpenWater::Between([[2.0, 4.0], [1.0, 4.0]].map(DVec2::from));
         let both = told(&[OpenWater::Box, north], None);
         assert_eq!(both, [(3.0, true), (1.0, true), (2.0, false)]);
+        // The longest of the box stays the one, also where it was named by points.
+        let east = OpenWater::Between([[4.0, 1.0], [4.0, 4.0]].map(DVec2::from));
+        assert_eq!(told(&[OpenWater::Box, east], None), of_box);
         let (_, openings) = sea.with_open_water(&[OpenWater::Box], None).unwrap();
         assert_eq!(openings[1].ends, [[2.0, 4.0], [1.0, 4.0]].map(DVec2::from));
+    }
+
+    #[test]
+    fn points_beside_an_island_open_its_shore_and_open_sides_of_a_file_are_one_stretch() {
+        let open = |domain: &Domain| -> Vec<(String, u32)> {
+            let sides = sides(domain).into_iter().filter(|side| side.1 == LineKind::Open);
+            sides.map(|side| (side.0, side.2)).collect()
+        };
+        let between = OpenWater::Between([[0.9, 0.9], [1.0, 2.1]].map(DVec2::from));
+        let (found, openings) = bay().with_open_water(&[between], None).unwrap();
+        assert_eq!((open(&found), openings.len()), (vec![("open".to_owned(), 1)], 1));
+        assert_eq!(openings[0].ends, [[1.0, 1.0], [1.0, 2.0]].map(DVec2::from));
+        // Two names beside each other, and a stretch over the ring's start.
+        let side = |name: &str, kind| Side { kind, ..Side::count(2).named(name.to_owned()) };
+        let [water, land] = [LineKind::Open, LineKind::Land].map(Some);
+        let given =
+            [side("west", water), side("quay", land), side("north", water), side("far", water)];
+        let domain = Domain::rectangle(2.0, 1.0, given.to_vec()).unwrap();
+        let (found, openings) = domain.with_open_water(&[], Some(100.0)).unwrap();
+        assert_eq!(openings.len(), 1);
+        assert!(openings[0].is_open && open(&found).iter().all(|side| side.0 == "open"));
+        assert_eq!(open(&found).len(), 3);
     }
 
     #[test]

@@ -21,6 +21,9 @@ use touching::Touching;
 
 /// An edge gets a point in its middle where that is farther than this share of its length from the line in the plane.
 const MOST_BENT: f64 = 1e-4;
+/// A given projection whose lengths are less than half of those on the ground, or more than twice, is refused: its region is another one.
+const LEAST_SCALE: f64 = 0.5;
+const MOST_SCALE: f64 = 2.0;
 /// A given projection that changes lengths by more than this share is told to be a bad one here.
 const MOST_OFF: f64 = 0.02;
 
@@ -139,7 +142,20 @@ impl Outlines {
         let on_outer = outer.flat_map(|ring| ring.pieces.iter().map(|piece| piece.start));
         let sides = BoxSides::of(on_outer);
         let scales = starts().chain(sides.inside(&self.features));
-        let scales = scales.map(|point| projection.scale(point)).filter(|scale| scale.is_finite());
+        let scales = scales.map(|point| projection.scale(point));
+        let scales: Vec<f64> = scales.filter(|scale| !scale.is_nan()).collect();
+        if let ProjectionChoice::Given(_) = choice
+            && scales.iter().any(|scale| !(LEAST_SCALE..=MOST_SCALE).contains(scale))
+        {
+            let place =
+                starts().next().map_or_else(String::new, |at| format!(" ({}, {})", at.x, at.y));
+            return Err(wrong(format!(
+                "{} is not for a region here{place}: it makes lengths less than half of those on the ground, or more \
+                 than twice; choose another one, or auto, which finds one",
+                projection.name()
+            )));
+        }
+        let scales = scales.into_iter().filter(|scale| scale.is_finite());
         let [least, most] = scales.fold([f64::INFINITY, 0.0], |[least, most], it| {
             [f64::min(least, it), f64::max(most, it)]
         });
@@ -340,6 +356,11 @@ mod tests {
         let wide = "[[[-20, 0], [20, 0], [20, 60], [-20, 60]]]";
         let (outlines, _) = projected(wide, "+proj=stere +lat_0=30 +lon_0=0").unwrap();
         assert!(outlines.notes[0].contains("are 1.0000 to 1.1"), "{:?}", outlines.notes);
+        // A zone a quarter of the globe away, and the other pole.
+        for code in ["EPSG:32616", "EPSG:3031"] {
+            let error = projected("[[[177, 18], [179, 18], [179, 20]]]", code).unwrap_err();
+            assert!(error.contains("is not for a region here (177, 18)"), "{error}");
+        }
         let swapped = projected("[[[36, 120], [37, 120], [37, 121]]]", "auto").unwrap_err();
         assert!(swapped.contains("GeoJSON has the longitude first"), "{swapped}");
     }

@@ -83,6 +83,15 @@ pub fn stitch(
         Gap::Within(area) => area.projection(),
         Gap::Overlap(projection) => projection,
     };
+    if projection.is_some()
+        && let Some(at) = meshes.iter().flat_map(TriMesh::positions).find(|at| !is_in_degrees(at))
+    {
+        return Err(MeshError::Refused(format!(
+            "a mesh is not in degrees, since it has a vertex at ({}, {}), and the area or the projection is for degrees: give the area in the \
+             coordinates of the meshes, without a projection",
+            at.x, at.y
+        )));
+    }
     let meshes = match projection {
         Some(_) => going_on(meshes)?,
         None => Cow::Borrowed(meshes),
@@ -97,6 +106,10 @@ pub fn stitch(
             )),
         },
     }
+}
+
+fn is_in_degrees(at: &DVec3) -> bool {
+    at.x.abs() <= 360.0 && at.y.abs() <= 90.0
 }
 
 /// Meshes in degrees whose longitudes go on across the antimeridian from the first vertex on.

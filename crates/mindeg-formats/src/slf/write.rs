@@ -95,7 +95,7 @@ fn boundary_points(mesh: &dyn Mesh) -> Result<Vec<u32>, WriteError> {
         if let Some(vertex) = twice {
             return Err(refused(format!(
                 "the boundary passes vertex {vertex} (counted from 0) twice, and a boundary point has one number; part \
-                 the mesh there"
+                 the mesh there (mindeg mesh --condition parts holes that touch)"
             )));
         }
         let from = at(vertices[0]);

@@ -21,6 +21,8 @@ pub const STITCH: &str = "stitch";
 
 /// The name of new boundary edges that nothing names.
 const LAND: &str = "land";
+const ISLAND: &str = "island";
+const OPEN: &str = "open";
 
 /// The edges that a vertex may have where the gap meets a mesh.
 const MOST_EDGES: u32 = 7;
@@ -85,7 +87,7 @@ impl Joining {
         let next = boundary_of(whole.triangles(), &points)?;
         let names: BTreeSet<&String> = told.iter().filter_map(|told| told.0.as_ref()).collect();
         let mut kept = "mesh".to_owned();
-        while names.contains(&kept) || kept == LAND {
+        while names.contains(&kept) || kept == LAND || kept == ISLAND {
             kept.push('+');
         }
         Ok(Self { whole, points, next, free, told, projection: projection.copied(), kept })
@@ -140,7 +142,12 @@ impl Joining {
                  the area"
             ))
         })?;
-        let domain = Domain::of_rings(rings.iter().map(|ring| self.ring_of(ring)).collect());
+        // A hole of the area that meets no mesh is an island.
+        let is_island = |(index, ring): (usize, &Vec<Step>)| {
+            index > 0 && ring.iter().all(|step| step.1.is_some())
+        };
+        let sides = rings.iter().enumerate().map(|ring| self.ring_of(ring.1, is_island(ring)));
+        let domain = Domain::of_rings(sides.collect());
         let domain = domain.map_err(MeshError::refused)?;
         let has_kept = rings.iter().flatten().any(|step| step.1.is_none());
         let kept: Vec<String> = has_kept.then(|| self.kept.clone()).into_iter().collect();
@@ -198,12 +205,14 @@ impl Joining {
     }
 
     /// A ring with sides: along meshes, and as its border has them.
-    fn ring_of(&self, steps: &[Step]) -> Ring {
+    fn ring_of(&self, steps: &[Step], is_island: bool) -> Ring {
+        let (own_name, own_kind) =
+            if is_island { (ISLAND, LineKind::Island) } else { (LAND, LineKind::Land) };
         let told = |border: Option<u32>| match border {
             None => (self.kept.clone(), None),
             Some(edge) => {
                 let (name, kind) = &self.told[edge as usize];
-                (name.clone().unwrap_or_else(|| LAND.to_owned()), kind.or(Some(LineKind::Land)))
+                (name.clone().unwrap_or_else(|| own_name.to_owned()), kind.or(Some(own_kind)))
             }
         };
         let count = steps.len();
@@ -261,7 +270,7 @@ impl Joining {
             both.iter().any(|ends| runs(next, *ends))
                 && !both.iter().any(|ends| runs(&boundary, *ends))
         };
-        let mut lines: Vec<(String, Option<LineKind>, Vec<[u32; 2]>)> = Vec::new();
+        let mut lines: Vec<OwnLine> = Vec::new();
         for (index, line) in whole.lines().iter().enumerate() {
             let own = line.segments.start as usize..line.segments.end as usize;
             let left: Vec<[u32; 2]> =
@@ -271,6 +280,7 @@ impl Joining {
             }
         }
         lines.extend(new.lines);
+        let lines = with_whole_stretches(lines, &boundary);
         let (mut of_lines, mut kinds, mut segments) = (Vec::new(), Vec::new(), Vec::new());
         for (name, kind, own) in lines {
             let from = segments.len() as u32;
@@ -298,6 +308,45 @@ impl Joining {
         let triangles = start..mesh.triangles().len() as u32;
         Ok(Stitched { mesh, triangles, vertices, min_angle, joined, dropped: None })
     }
+}
+
+type OwnLine = (String, Option<LineKind>, Vec<[u32; 2]>);
+
+/// Lines with each stretch of open water along the boundary as one, from behind what is not open: called as all of it was, or else
+/// "open".
+fn with_whole_stretches(lines: Vec<OwnLine>, boundary: &BTreeMap<u32, u32>) -> Vec<OwnLine> {
+    let runs = |[from, to]: [u32; 2]| boundary.get(&from) == Some(&to);
+    let (mut open, mut rest): (BTreeMap<u32, String>, Vec<OwnLine>) = Default::default();
+    for (name, kind, segments) in lines {
+        let mut other = Vec::new();
+        for [a, b] in segments {
+            match [[a, b], [b, a]].into_iter().find(|ends| runs(*ends)) {
+                Some([from, _]) if kind == Some(LineKind::Open) => {
+                    open.insert(from, name.clone());
+                }
+                _ => other.push([a, b]),
+            }
+        }
+        if !other.is_empty() {
+            rest.push((name, kind, other));
+        }
+    }
+    let before: BTreeMap<u32, u32> = boundary.iter().map(|(from, to)| (*to, *from)).collect();
+    let mut left: BTreeSet<u32> = open.keys().copied().collect();
+    while let Some(&any) = left.first() {
+        let mut first = any;
+        while let Some(at) = before.get(&first).filter(|at| **at != any && open.contains_key(at)) {
+            first = *at;
+        }
+        let along = std::iter::successors(Some(first), |from| boundary.get(from).copied());
+        let along: Vec<u32> = along.take_while(|from| left.remove(from)).collect();
+        let name = &open[&first];
+        let is_one = along.iter().all(|from| open[from] == *name);
+        let name = if is_one { name.clone() } else { OPEN.to_owned() };
+        let segments = along.iter().map(|from| [*from, boundary[from]]).collect();
+        rest.push((name, Some(LineKind::Open), segments));
+    }
+    rest
 }
 
 /// The longitude that is nearest to another one.
