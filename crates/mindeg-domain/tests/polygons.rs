@@ -181,7 +181,7 @@ proptest! {
         damaged.truncate(1);
         damaged.push(vec![middle, inside + DVec2::new(5.0, 0.0), inside - DVec2::new(5.0, 0.0)]);
         let error = refusal(damaged);
-        prop_assert!(says(&error, &["may not touch", " cross near ", "folds back"]), "{}", error);
+        prop_assert!(says(&error, &["may not lie on an edge", " cross near ", "folds back"]), "{}", error);
     }
 }
 

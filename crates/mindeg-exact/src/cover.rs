@@ -10,7 +10,9 @@
 //! Work is counted and not timed, so the answer is the same on every machine.
 
 mod angles;
+mod around;
 mod candidates;
+mod caps;
 mod decision;
 mod rows;
 mod search;
@@ -21,6 +23,7 @@ use crate::problem::{Domain, Problem};
 use crate::progress::Stage;
 use crate::visibility;
 use candidates::Candidates;
+use caps::Rings;
 use mindeg_mesh::{Cancelled, Progress};
 use rows::Rows;
 pub(crate) use search::{Expected, Search};
@@ -113,6 +116,48 @@ impl Cover {
             |&(problem, vertices): &(&LoopProblem, &[u32])| Candidates::of_loop(problem, vertices);
         let faces: Vec<Candidates> = loops.iter().map(face).collect();
         Some(Self { chord_count: faces.iter().map(|face| face.chord_count).sum(), faces })
+    }
+
+    /// A triangulation of a domain with one hole that keeps the numbers of chords, if there is one, by a dynamic program over bridges
+    /// between the rings. None if the domain has not one hole, or if `steps` are too few.
+    ///
+    /// O(b t D^3) for b bridges at one vertex, t candidates and at most D chords at a vertex.
+    ///
+    /// # Errors
+    ///
+    /// A cancelled `progress`.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// # use glam::DVec2;
+    /// # use mindeg_exact::{Cover, Problem, Progress};
+    /// # use mindeg_mesh::planar::PlanarBoundary;
+    /// # let square = |half: f64| [(-half, -half), (half, -half), (half, half), (-half, half)];
+    /// # let [outer, [a, b, c, d]] = [2.0, 1.0].map(square);
+    /// # let rings = [outer, [a, d, c, b]].map(|ring| ring.map(DVec2::from));
+    /// # let ring = [[0, 1, 4], [1, 7, 4], [1, 2, 7], [2, 6, 7], [2, 3, 6], [3, 5, 6], [3, 0, 5], [0, 4, 5]];
+    /// // The square with a square hole.
+    /// let problem = Problem::triangulated(&PlanarBoundary::new(&rings)?, &ring)?;
+    /// let cover = Cover::of(&problem, Progress::NONE)?.expect("the domain is small");
+    /// let decide = |most| cover.decide_around(&problem, &[most; 8], &mut 10_000, Progress::NONE);
+    /// assert_eq!(decide(2)?.flatten().map(|triangles| triangles.len()), Some(8));
+    /// assert_eq!(decide(1)?, Some(None));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn decide_around(
+        &self,
+        problem: &Problem,
+        most_chords: &[u32],
+        steps: &mut u64,
+        progress: Progress<'_>,
+    ) -> Result<Option<Option<Vec<[u32; 3]>>>, Cancelled> {
+        let [face] = &self.faces[..] else { return Ok(None) };
+        let stage = Stage::new(progress, "searching round the hole");
+        match Rings::new(face, &problem.next(), most_chords) {
+            Some(rings) => rings.decide(steps, &stage),
+            None => Ok(None),
+        }
     }
 
     /// The number of candidate triangles.

@@ -4,17 +4,20 @@
 //! A piece is the part of the polygon beyond a chord or boundary edge. To the rest it matters only by its
 //! chords at the two ends of that edge, so of each piece the least such pairs are kept.
 //!
-//! Limits: one ring; O(n³) time for the chords alone.
+//! Round one hole it is made for each way to cut the domain open.
+//!
+//! Limits: at most two rings; O(n³) time for the chords alone, and again for each cut.
 
 use super::CheckedOutline;
+use std::ops::Range;
 
 /// The least numbers of chords at the two ends of a piece: no pair has both as large as another's.
 type Ends = Vec<[u32; 2]>;
 
 impl CheckedOutline<'_> {
-    /// Whether some triangulation of a polygon of one ring gives no vertex more chords than
+    /// Whether some triangulation of a polygon with at most one hole gives no vertex more chords than
     /// `most_chords` says; boundary edges are no chords. None beyond `max_work` steps, and for
-    /// several rings. O(n³) steps for n vertices, and more where many chords meet.
+    /// several holes. O(n³) steps for n vertices, more where many chords meet, and with a hole for each of up to n cuts.
     ///
     /// # Example
     ///
@@ -34,17 +37,89 @@ impl CheckedOutline<'_> {
     pub fn has_triangulation(&self, most_chords: &[u32], max_work: u64) -> Option<bool> {
         let n = self.points.len();
         let work = (n as u64).saturating_pow(3);
-        if self.rings.len() != 1 || n < 3 || most_chords.len() != n || work > max_work {
+        if n < 3 || most_chords.len() != n || work > max_work {
             return None;
         }
         let mut left = max_work - work;
+        let joins = self.joins();
+        match self.rings {
+            [_] => {
+                let polygon: Vec<u32> = (0..n as u32).collect();
+                self.is_divided(&polygon, most_chords, &joins, &mut left)
+            }
+            [outer, inner] => {
+                let rings = [outer, inner].map(|ring| ring.clone());
+                self.is_divided_around(rings, most_chords, &joins, &mut left)
+            }
+            _ => None,
+        }
+    }
+
+    /// For each pair of vertices whether it is an admissible chord.
+    fn joins(&self) -> Vec<bool> {
+        let n = self.points.len() as u32;
+        let pairs = (0..n).flat_map(|a| (0..n).map(move |b| [a.min(b), a.max(b)]));
+        let mut joins = vec![false; (n * n) as usize];
+        for [a, b] in pairs.filter(|[a, b]| a < b && self.next(*a) != *b && self.next(*b) != *a) {
+            let (at, back) = ((a * n + b) as usize, (b * n + a) as usize);
+            joins[at] = joins[at] || self.is_admissible([a, b]);
+            joins[back] = joins[at];
+        }
+        joins
+    }
+
+    /// Whether a domain with one hole has a triangulation: cut at a chord from the leftmost vertex of the hole to the outer ring, of
+    /// which each has one, it is a polygon in which both ends are twice.
+    fn is_divided_around(
+        &self,
+        [outer, inner]: [Range<u32>; 2],
+        most_chords: &[u32],
+        joins: &[bool],
+        left: &mut u64,
+    ) -> Option<bool> {
+        let n = self.points.len() as u32;
+        let x = |v: &u32| self.points[*v as usize].x;
+        let start = inner.clone().min_by(|a, b| x(a).total_cmp(&x(b)))?;
+        let around = |from: u32| {
+            let after = move |v: &u32| Some(self.next(*v)).filter(|v| *v != from);
+            std::iter::successors(Some(from), after).chain([from])
+        };
+        for end in outer.filter(|end| joins[(start * n + end) as usize]) {
+            let polygon: Vec<u32> = around(start).chain(around(end)).collect();
+            let places = [0, inner.len(), inner.len() + 1, polygon.len() - 1];
+            let [most, most_end] = [start, end].map(|v| most_chords[v as usize]);
+            // The cut is a chord at each.
+            for (own, own_end) in (0..most).flat_map(|a| (0..most_end).map(move |b| (a, b))) {
+                let mut limits: Vec<u32> =
+                    polygon.iter().map(|&v| most_chords[v as usize]).collect();
+                let shares = [own, most - 1 - own, own_end, most_end - 1 - own_end];
+                places.iter().zip(shares).for_each(|(&place, share)| limits[place] = share);
+                if self.is_divided(&polygon, &limits, joins, left)? {
+                    return Some(true);
+                }
+            }
+        }
+        Some(false)
+    }
+
+    /// Whether chords divide a polygon into triangles that turn left, at most so many at each corner. Where it passes a vertex twice, they
+    /// cover it all the same: they all turn as it does, and it goes once round each point inside.
+    fn is_divided(
+        &self,
+        polygon: &[u32],
+        most_chords: &[u32],
+        joins: &[bool],
+        left: &mut u64,
+    ) -> Option<bool> {
+        let n = polygon.len();
         let is_edge = |i: usize, j: usize| i + 1 == j || (i == 0 && j + 1 == n);
         let mut pieces: Vec<Ends> = vec![Vec::new(); n * n];
         for span in 1..n {
             for i in 0..n - span {
                 let j = i + span;
                 let is_chord = !is_edge(i, j);
-                if is_chord && !self.is_admissible([i as u32, j as u32]) {
+                if is_chord && !joins[polygon[i] as usize * self.points.len() + polygon[j] as usize]
+                {
                     continue;
                 }
                 if span == 1 {
@@ -54,7 +129,13 @@ impl CheckedOutline<'_> {
                 let mut ends = Ends::new();
                 for k in i + 1..j {
                     let [before, after] = [&pieces[i * n + k], &pieces[k * n + j]];
-                    left = left.checked_sub(1 + (before.len() * after.len()) as u64)?;
+                    *left = left.checked_sub(1 + (before.len() * after.len()) as u64)?;
+                    let is_flat = |[i, k, j]: [usize; 3]| {
+                        self.turn(polygon[i], polygon[k], polygon[j]) <= 0.0
+                    };
+                    if before.is_empty() || after.is_empty() || is_flat([i, k, j]) {
+                        continue;
+                    }
                     let [ik, kj, ij] = [!is_edge(i, k), !is_edge(k, j), is_chord].map(u32::from);
                     for [at_i, at_k] in before {
                         for [more_at_k, at_j] in after {

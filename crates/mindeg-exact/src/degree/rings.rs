@@ -92,12 +92,21 @@ enum Way {
     Descend,
     /// A search for the next smaller degree, which expects a mesh.
     Mesh,
+    /// The dynamic program round one hole, at the lower bound.
+    Around,
 }
 
 impl Way {
-    /// Of the gaps that are left after the first turns most are refuted.
-    const TURNS: [Self; 6] =
-        [Self::Refute, Self::Descend, Self::Refute, Self::Mesh, Self::Refute, Self::Refute];
+    /// Of the gaps that are left after the first turns most are refuted. Clauses are the shorter proof, where they are found soon.
+    const TURNS: [Self; 7] = [
+        Self::Refute,
+        Self::Around,
+        Self::Descend,
+        Self::Refute,
+        Self::Mesh,
+        Self::Refute,
+        Self::Refute,
+    ];
 }
 
 /// Closes a gap as far as the steps suffice.
@@ -110,6 +119,7 @@ fn close(
 ) -> Result<(), Unsolved> {
     let mut steps = steps.saturating_add(steps / MORE);
     let mut turn = (steps / FIRST_TURN).max(1);
+    let mut around = steps / MORE;
     let mut refuting: UnderWay<Search<'_>> = None;
     let mut meshing: UnderWay<Search<'_>> = None;
     let mut descent: UnderWay<Descent<'_>> = None;
@@ -118,9 +128,25 @@ fn close(
         && !range.is_decided(problem)
         && steps > 1
     {
-        let next = if way == Way::Refute { range.lower_bound } else { range.max_degree - 1 };
+        let next = match way {
+            Way::Refute | Way::Around => range.lower_bound,
+            Way::Descend | Way::Mesh => range.max_degree - 1,
+        };
         let degree = problem.wanted_degree.unwrap_or(next);
         let Some(limits) = problem.degree_limits(degree) else { break };
+        if way == Way::Around {
+            // It cannot go on where it has stopped.
+            let mut left = std::mem::take(&mut around);
+            match cover.decide_around(problem, &limits.chords, &mut left, progress)? {
+                Some(Some(triangles)) => range.reach(problem, triangles),
+                Some(None) => {
+                    (range.lower_bound, range.bounded_by) = (degree + 1, LowerBound::Exhaustive);
+                }
+                None => drop(ways.next()),
+            }
+            around = left;
+            continue;
+        }
         let mut left = turn.min(steps);
         steps -= left;
         let found = if way == Way::Descend {
