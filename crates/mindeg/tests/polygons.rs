@@ -611,6 +611,20 @@ fn a_refutation_with_holes_takes_few_steps() {
     assert_eq!((range.lower_bound, range.max_degree), (6, 6));
 }
 
+/// Clauses leave it open after a thousand million steps: its rings are nearly smooth.
+#[test]
+fn one_hole_is_decided_and_the_decision_repeated() {
+    let boundary = stars::star(200, 1, 8);
+    let answer = degree_of_boundary(&boundary, mindeg_exact::MAX_TRIPLES, Progress::NONE).unwrap();
+    assert_eq!(answer.least_max_degree(), Some(6));
+    assert_eq!(answer.bounded_by, DegreeBound::Polygon(LowerBound::Exhaustive));
+    let rings: Vec<_> = boundary.rings().collect();
+    let (points, side_of) = (boundary.points(), boundary.runs());
+    let outline = CheckedOutline { points, rings: &rings, side_of, keeps_clear: true };
+    assert_eq!(outline.has_triangulation(&[3; 200], 2_000_000_000), Some(false));
+    assert_eq!(outline.has_triangulation(&[4; 200], 2_000_000_000), Some(true));
+}
+
 /// A thousand clauses hold as they are; against a limit that a mesh keeps, none of them with a change does.
 #[test]
 fn long_proofs_hold_and_with_changes_do_not() {
