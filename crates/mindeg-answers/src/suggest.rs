@@ -159,8 +159,8 @@ impl SuggestAnswer {
             }
             if let Some((degree, at_least)) = open {
                 return Err(MeshError::Refused(format!(
-                    "no change of counts was found for degree {degree}; none of fewer than {} leads there",
-                    intervals_in_words(at_least)
+                    "no change of counts was found for degree {degree}{}",
+                    none_of_fewer(at_least, "leads there")
                 )));
             }
             if suggestions.is_empty() {
@@ -204,8 +204,8 @@ impl SuggestAnswer {
         text.extend(self.suggestions.iter().map(|one| one.words.as_str()));
         if let Some(OpenDegree { max_degree, cost_at_least }) = self.open {
             text.push_str(&format!(
-                "For {max_degree}: no change was found; none of fewer than {} leads there.\n",
-                intervals_in_words(cost_at_least)
+                "For {max_degree}: no change was found{}.\n",
+                none_of_fewer(cost_at_least, "leads there")
             ));
         }
         text
@@ -273,9 +273,8 @@ impl SuggestedChange {
             _ if cost == 0 => "No change is needed.\n".to_owned(),
             least if least >= cost => format!("For {reached}{or_less}: {words}.\n"),
             least => format!(
-                "For {reached}{or_less}: {words}. Whether a smaller change is enough is not known; \
-                 none of fewer than {} is.\n",
-                intervals_in_words(least)
+                "For {reached}{or_less}: {words}. Whether a smaller change is enough is not known{}.\n",
+                none_of_fewer(least, "is")
             ),
         };
         Self {
@@ -330,8 +329,12 @@ impl ChangedSide {
     }
 }
 
-fn intervals_in_words(count: u64) -> String {
-    if count == 1 { "1 interval".to_owned() } else { format!("{count} intervals") }
+/// The size that a change has at least, as the end of a sentence; nothing where any change may do.
+fn none_of_fewer(at_least: u64, verb: &str) -> String {
+    if at_least < 2 {
+        return String::new();
+    }
+    format!("; none of fewer than {at_least} intervals {verb}")
 }
 
 /// A suggestion in words, such as "add 7 to side 2 and take 1 from side 4".

@@ -71,6 +71,8 @@ pub struct CountChange<T> {
 
 /// A domain or a model: its sides have counts of intervals, which can be others.
 trait Divided: Clone + Send + Sync {
+    /// How many times as long a try takes as that of a domain.
+    const TRY: usize;
     /// The intervals of each side.
     fn counts(&self) -> Vec<u64>;
     fn vertex_count(&self) -> u32;
@@ -150,6 +152,7 @@ impl<'a, T: Divided> Tries<'a, T> {
     fn new(subject: &'a T, effort: f64, progress: Progress<'a>) -> Self {
         let vertices = subject.vertex_count() as usize;
         let total = (WORK / vertices.saturating_pow(2)).clamp(TRIES[0], TRIES[1]);
+        let total = total / T::TRY;
         let total = (total as f64 * effort) as usize;
         Self { subject, counts: subject.counts(), total, left: total, effort, progress }
     }

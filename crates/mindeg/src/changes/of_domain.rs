@@ -64,6 +64,8 @@ fn constrains_vertices(constraints: &Constraints) -> bool {
 }
 
 impl Divided for Domain {
+    const TRY: usize = 1;
+
     fn counts(&self) -> Vec<u64> {
         self.rings().sides().map(u64::from).collect()
     }

@@ -54,6 +54,8 @@ fn growth(model: &Model, edge: usize) -> i64 {
 }
 
 impl Divided for Model {
+    const TRY: usize = 8;
+
     fn counts(&self) -> Vec<u64> {
         (0..self.edge_count()).map(|edge| u64::from(self.intervals(edge))).collect()
     }
