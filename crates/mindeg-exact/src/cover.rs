@@ -33,6 +33,9 @@ pub use decision::{Decision, Element, Literal, Refutation, SearchedAngle};
 /// The most candidate triangles that a search takes, some 150 MB.
 pub const MAX_CANDIDATES: usize = 1_000_000;
 
+/// The most that the dynamic program round one hole takes, some 300 MB.
+pub(crate) const MAX_AROUND: usize = 4_000_000;
+
 /// The steps of the first turn of several searches, as a divisor of all; each turn is longer by a part of the one before.
 pub(crate) const FIRST_TURN: u64 = 72;
 pub(crate) const GROWTH: u64 = 8;
@@ -75,8 +78,17 @@ impl Cover {
     ///
     /// A cancelled `progress`.
     pub fn of(problem: &Problem, progress: Progress<'_>) -> Result<Option<Self>, Cancelled> {
+        Self::of_at_most(problem, MAX_CANDIDATES, progress)
+    }
+
+    /// [`of`](Self::of) with another limit.
+    pub(crate) fn of_at_most(
+        problem: &Problem,
+        most: usize,
+        progress: Progress<'_>,
+    ) -> Result<Option<Self>, Cancelled> {
         let vertices = Vec::from_iter(0..problem.points().len() as u32);
-        Self::of_faces(&[(problem, &vertices)], progress)
+        Self::among(&[(problem, &vertices)], most, progress)
     }
 
     /// The candidates of several faces, each with the vertex of the whole at every vertex of its own; none if they
@@ -89,8 +101,16 @@ impl Cover {
         faces: &[(&Problem, &[u32])],
         progress: Progress<'_>,
     ) -> Result<Option<Self>, Cancelled> {
+        Self::among(faces, MAX_CANDIDATES, progress)
+    }
+
+    fn among(
+        faces: &[(&Problem, &[u32])],
+        most: usize,
+        progress: Progress<'_>,
+    ) -> Result<Option<Self>, Cancelled> {
         let stage = Stage::new(progress, "finding triangles");
-        let (mut left, mut chord_count) = (MAX_CANDIDATES, 0);
+        let (mut left, mut chord_count) = (most, 0);
         let mut found = Vec::with_capacity(faces.len());
         for &(problem, vertices) in faces {
             let Some(pairs) = pairs(problem, left, &stage)? else { return Ok(None) };

@@ -4,7 +4,9 @@ use super::descent::Descent;
 use super::{DegreeRange, LowerBound, Reached, by_windows, counting_bound};
 use crate::annulus;
 use crate::apex::apex_bound;
-use crate::cover::{Cover, Decision, Expected, FIRST_TURN, GROWTH, Search};
+use crate::cover::{
+    Cover, Decision, Expected, FIRST_TURN, GROWTH, MAX_AROUND, MAX_CANDIDATES, Search,
+};
 use crate::linked::Linked;
 use crate::problem::Problem;
 use crate::progress::Stage;
@@ -44,8 +46,9 @@ impl DegreeRange {
                 (range.lower_bound, range.bounded_by) = (5, LowerBound::NoStrip);
             }
         }
+        let most = if has_one_hole { MAX_AROUND } else { MAX_CANDIDATES };
         if !range.is_decided(problem)
-            && let Some(cover) = Cover::of(problem, progress)?
+            && let Some(cover) = Cover::of_at_most(problem, most, progress)?
         {
             close(problem, &cover, &mut range, problem.max_steps(), progress)?;
         }
@@ -123,7 +126,9 @@ fn close(
     let mut refuting: UnderWay<Search<'_>> = None;
     let mut meshing: UnderWay<Search<'_>> = None;
     let mut descent: UnderWay<Descent<'_>> = None;
-    let mut ways = Way::TURNS.into_iter().cycle().peekable();
+    let is_large = cover.candidate_count() > MAX_CANDIDATES;
+    let turns: &[Way] = if is_large { &[Way::Around] } else { &Way::TURNS };
+    let mut ways = turns.iter().copied().cycle().peekable();
     while let Some(&way) = ways.peek()
         && !range.is_decided(problem)
         && steps > 1
@@ -142,6 +147,7 @@ fn close(
                 Some(None) => {
                     (range.lower_bound, range.bounded_by) = (degree + 1, LowerBound::Exhaustive);
                 }
+                None if is_large => break,
                 None => drop(ways.next()),
             }
             around = left;
