@@ -145,7 +145,7 @@ impl Advice {
     ///
     /// # Errors
     ///
-    /// The errors of [`mesh`] for the mesh of least degree, with the index of the part. Other meshes that cannot be made are left out.
+    /// The errors of [`mindeg::mesh`] for the mesh of least degree, with the index of the part. Other meshes that cannot be made are left out.
     pub fn of(domains: &[Domain], progress: Progress<'_>) -> Result<Self, (usize, MeshError)> {
         Ok(Self::with_mesh(domains, progress)?.0)
     }
