@@ -9,6 +9,7 @@ use crate::mesh::model;
 use crate::provenance::mesh_command;
 use crate::standard_output::{print, print_json};
 use mindeg::beside::each;
+use mindeg::changes::own_boundary;
 use mindeg::model::mesh_model;
 use mindeg::{Domain, Goal, Interior, MeshError, Model, Progress};
 use mindeg_answers::advice::Advice;
@@ -60,7 +61,10 @@ pub(crate) fn run(arguments: &DegreeArguments) -> Result<(), Failure> {
         return print_json(&report);
     }
     let mut text = report.text();
-    text.extend(fewer(&report));
+    // Where the formula merges sides, those that it changes are not the domain's.
+    if domain.as_ref().is_none_or(|domain| own_boundary(domain).is_some()) {
+        text.extend(fewer(&report));
+    }
     if let Some(domain) = &domain {
         text.push_str(&advice(std::slice::from_ref(domain), domain, arguments.counts.path()));
     }

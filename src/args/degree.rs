@@ -39,7 +39,7 @@ pub(crate) struct DegreeArguments {
 
     /// Print JSON: intervals, holes, vertices, triangles, interior_edges, least_max_degree (null if
     /// not known), at_least, reached, reached_by, certificate (sides counted from 1); for a domain limit, with
-    /// angle_limit, which interior points cannot exceed, and the change that lifts it; of a
+    /// angle_limit, which interior points cannot exceed, and the change that lifts it, and notes, such as on reversed corners; of a
     /// model what mindeg mesh prints
     #[arg(long, help_heading = "Messages")]
     pub(crate) json: bool,
@@ -79,7 +79,7 @@ pub(crate) struct SuggestArguments {
     /// Print JSON: intervals, least_max_degree (null if not known), at_least, reached, suggestion_count, and suggestions, a
     /// list of least_max_degree, reached, cost, cost_at_least (no change of less cost is enough), changes (side
     /// counted from 1 through all rings, corners of a model's edge, by, and the points that are added to points of its own) and intervals; open, a smaller degree that no change was found for, with
-    /// cost_at_least; for a domain limit and angle_suggestions; parts, where there are several
+    /// cost_at_least; for a domain limit, angle_suggestions and notes; parts, where there are several
     #[arg(long, help_heading = "Messages")]
     pub(crate) json: bool,
 }

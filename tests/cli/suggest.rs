@@ -230,3 +230,58 @@ fn domains_beside_each_other_each_have_their_changes() {
     assert!(text.text().contains("all 2 parts"), "{}", text.text());
     mindeg(["suggest", file, "--max-degree", "1"]).refuses(&["part 1"]);
 }
+
+/// Advice names sides that `--intervals` takes in that order, and points that are drawn stay.
+#[test]
+fn a_convex_ring_keeps_its_points_and_its_side() {
+    let ring = r#"{"ring": [[0, 0], [0.3, 0], [1.7, 0], [2.2, 0], [4, 0], [4, 3], [0, 3]]}"#;
+    let answer = mindeg_reading(["suggest", "-", "--json"], ring.as_bytes()).json();
+    assert_eq!(answer["intervals"], json!([7]));
+    for row in answer["suggestions"].as_array().expect("a list") {
+        assert!(row["changes"].as_array().unwrap().iter().all(|one| one["side"] == 1), "{row}");
+        assert!(row["changes"][0]["by"].as_i64() > Some(0), "{row}");
+    }
+    // Five on one line: the formula knows a change, but of sides that the ring has not.
+    let long =
+        r#"{"ring": [[0, 0], [1, 0], [2, 0], [3, 0], [4, 0], [5, 0], [5, 3], [4, 3], [0, 3]]}"#;
+    let degree = mindeg_reading(["degree", "-"], long.as_bytes());
+    assert!(!degree.text().contains("hint: add") && !degree.text().contains("hint: take"));
+}
+
+/// Where corners run the other way round, a note says how sides count, as `mesh` does.
+#[test]
+fn sides_of_reversed_rings_are_told_to_count_the_other_way() {
+    let clockwise = r#"{"polygon": {"corners": [[0, 0], [0, 3], [4, 3], [4, 0]]},
+        "sides": [{"intervals": 9}, {"intervals": 1}, {"intervals": 2}, {"intervals": 3}]}"#;
+    let hole = FRAME.replace("[1, 1], [1, 3], [3, 3], [3, 1]", "[1, 1], [3, 1], [3, 3], [1, 3]");
+    for (domain, ring) in [(clockwise, "the outline"), (&hole[..], "hole 1")] {
+        for command in ["degree", "suggest"] {
+            let note = format!("The corners of {ring} ran ");
+            let text = mindeg_reading([command, "-"], domain.as_bytes()).text().to_owned();
+            let lines: Vec<_> = text.lines().filter(|line| line.starts_with(&note)).collect();
+            let [line] = lines[..] else { panic!("{text}") };
+            assert!(line.ends_with("and sides count from the last one as given."), "{text}");
+            let answer = mindeg_reading([command, "-", "--json"], domain.as_bytes()).json();
+            assert_eq!(answer["notes"], json!([line]), "{command}");
+        }
+    }
+    // The last side as given, of 3 intervals, is side 1 indeed.
+    let answer = mindeg_reading(["suggest", "-", "--json"], clockwise.as_bytes()).json();
+    assert_eq!(answer["intervals"], json!([3, 2, 1, 9]));
+    let right_way = FRAME.as_bytes();
+    assert!(mindeg_reading(["suggest", "-", "--json"], right_way).json().get("notes").is_none());
+}
+
+/// The edges of a part of a map share the name of the two regions beside them.
+#[test]
+fn a_name_of_several_sides_goes_with_an_index() {
+    let polygons = r#"{"type": "GeometryCollection", "geometries": [
+        {"type": "Polygon", "coordinates": [[[0, 0], [400, 0], [400, 100], [400, 200], [400, 300], [0, 300], [0, 0]]]},
+        {"type": "Polygon", "coordinates": [[[1000, 0], [1400, 0], [1400, 300], [1300, 300], [1200, 300], [1000, 300], [1000, 0]]]}]}"#;
+    let text = mindeg_reading(["suggest", "-"], polygons.as_bytes()).text().to_owned();
+    assert!(text.contains(" on side ") || text.contains(" to side "), "{text}");
+    for name in ["polygon 1 | outside", "polygon 2 | outside"] {
+        let unnumbered = text.replace(&format!("({name})"), "");
+        assert!(text.contains(&format!("({name})")) && !unnumbered.contains(name), "{text}");
+    }
+}

@@ -51,6 +51,9 @@ pub struct DegreeReport {
     /// The limit of the minimum angle with interior points, if it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limit: Option<LimitAnswer>,
+    /// Such as that sides count from the other end than those of the file; they are in the words, too.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub notes: Vec<String>,
     /// Why it cannot be less, and how it is reached: sentences with their line breaks.
     #[serde(skip)]
     pub words: String,
@@ -156,6 +159,17 @@ impl DegreeReport {
         effort: f64,
         progress: Progress<'_>,
     ) -> Result<Self, mindeg::MeshError> {
+        let mut report = Self::without_notes(domain, effort, progress)?;
+        report.notes = domain.notes();
+        report.words.extend(report.notes.iter().map(|note| format!("{note}\n")));
+        Ok(report)
+    }
+
+    fn without_notes(
+        domain: &Domain,
+        effort: f64,
+        progress: Progress<'_>,
+    ) -> Result<Self, mindeg::MeshError> {
         if let Some(form) = domain.convex().filter(|_| !domain.is_constrained()) {
             let mut report = Self::of_counts(form.boundary());
             if form.first() > 0 || report.intervals.len() != domain.rings().side_count() {
@@ -222,6 +236,7 @@ impl DegreeReport {
                 _ => DegreeProof::Exhaustive,
             },
             limit: None,
+            notes: Vec::new(),
         })
     }
 
@@ -271,6 +286,7 @@ impl DegreeReport {
                 _ => DegreeProof::Weights,
             },
             limit: None,
+            notes: Vec::new(),
         }
     }
 
@@ -310,6 +326,7 @@ impl DegreeReport {
                 }
             },
             limit: None,
+            notes: Vec::new(),
         }
     }
 

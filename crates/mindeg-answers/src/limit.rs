@@ -152,7 +152,7 @@ impl From<&Lift> for LiftAnswer {
 pub fn lift_counts(lift: &Lift) -> String {
     let changes = lift.changes.iter().zip(&lift.intervals).map(|(change, count)| {
         let intervals = if *count == 1 { "interval" } else { "intervals" };
-        format!("{count} {intervals} on {}", lift.domain.side_name(change.side))
+        format!("{count} {intervals} on {}", lift.domain.side_in_text(change.side))
     });
     changes.collect::<Vec<_>>().join(" and ")
 }

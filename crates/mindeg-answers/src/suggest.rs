@@ -7,7 +7,9 @@ pub use beside::{SuggestBeside, SuggestPart};
 use crate::limit::{LiftAnswer, LimitAnswer};
 use crate::model::edge_in_text;
 use crate::numbers::significant;
-use mindeg::changes::{CountChange, CountChanges, count_changes, model_count_changes};
+use mindeg::changes::{
+    CountChange, CountChanges, count_changes, model_count_changes, own_boundary,
+};
 use mindeg::{Domain, Intervals, MeshError, Model, Progress};
 use mindeg_core::{Boundary, Change, Suggestion, least_max_degree, suggest, suggestions};
 use serde::Serialize;
@@ -36,6 +38,9 @@ pub struct SuggestAnswer {
     /// Changes that lift the limit, each on top of the one before.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub angle_suggestions: Vec<LiftAnswer>,
+    /// Such as that sides count from the other end than those of the file.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub notes: Vec<String>,
 }
 
 /// A change of counts, and the degree after it.
@@ -102,8 +107,8 @@ impl SuggestAnswer {
         Ok(Self::new(intervals, [today; 2], suggestions))
     }
 
-    /// The smallest changes for any domain: by the formula where it is convex, its sides on one line counted as one;
-    /// else those that are found, see [`count_changes`].
+    /// The smallest changes for any domain: by the formula where it counts the domain's own sides, see
+    /// [`own_boundary`]; else those that are found, see [`count_changes`].
     ///
     /// # Errors
     ///
@@ -114,13 +119,15 @@ impl SuggestAnswer {
         effort: f64,
         progress: Progress<'_>,
     ) -> Result<Self, MeshError> {
-        if let Some(form) = domain.convex().filter(|_| !domain.is_constrained()) {
-            return Self::of_counts(form.boundary(), wanted);
+        if let Some(boundary) = own_boundary(domain) {
+            let answer = Self::of_counts(boundary, wanted)?;
+            return Ok(Self { notes: domain.notes(), ..answer });
         }
         let intervals = domain.rings().sides().map(u64::from).collect();
         let changes = count_changes(domain, wanted, effort, progress)?;
         let row = |change: &CountChange<Domain>| SuggestedChange::of(change, domain);
-        Self::of_changes("domain", intervals, changes, wanted, row)
+        let answer = Self::of_changes("domain", intervals, changes, wanted, row)?;
+        Ok(Self { notes: domain.notes(), ..answer })
     }
 
     /// The smallest changes that are found for a model, see [`model_count_changes`]. Its edges are its sides.
@@ -188,6 +195,7 @@ impl SuggestAnswer {
             open: None,
             limit: None,
             angle_suggestions: Vec::new(),
+            notes: Vec::new(),
         }
     }
 
@@ -198,6 +206,7 @@ impl SuggestAnswer {
             Some(least) => format!("The least maximum degree is {least}.\n"),
             None => format!("The least maximum degree is at most {}.\n", self.reached),
         };
+        text.extend(self.notes.iter().map(|note| format!("{note}\n")));
         if self.suggestion_count == 0 && self.open.is_none() {
             text.push_str("No change of counts brings it down.\n");
         }
@@ -234,7 +243,7 @@ impl SuggestedChange {
         let words = in_words(suggestion, |side| {
             let points = changes.iter().find(|change| change.side == side + 1);
             let places = points.map_or_else(String::new, ChangedSide::places);
-            format!("{}{places}", side_in_text(domain, side))
+            format!("{}{places}", domain.side_in_text(side))
         });
         let words = giving(words, &rings);
         Self::new(suggestion, *is_least, *at_least, changes, counts, &words)
@@ -286,16 +295,6 @@ impl SuggestedChange {
             changes,
             words,
         }
-    }
-}
-
-/// A side by its name; with its index where others have that name, too.
-fn side_in_text(domain: &Domain, side: usize) -> String {
-    let name = domain.side_name(side);
-    let is_same = |other: &usize| domain.sides()[*other].name.as_deref() == Some(&name);
-    match (0..domain.sides().len()).filter(is_same).nth(1) {
-        Some(_) => format!("side {} ({name})", side + 1),
-        None => name,
     }
 }
 

@@ -136,6 +136,21 @@ impl Domain {
         }
     }
 
+    /// The name of a side within a sentence: with its index from 1, through all rings, where others have that name too,
+    /// such as "side 8 (coast)".
+    ///
+    /// # Panics
+    ///
+    /// If the domain has no such side.
+    pub fn side_in_text(&self, side: usize) -> String {
+        let name = self.side_name(side);
+        let is_same = |other: &&Side| other.name.as_deref() == Some(&name);
+        match self.sides.iter().filter(is_same).nth(1) {
+            Some(_) => format!("side {} ({name})", side + 1),
+            None => name,
+        }
+    }
+
     /// The periodic sides, and the vertices that they make one; none without periodic sides.
     pub fn periodic(&self) -> Option<&Periodic> {
         self.periodic.as_deref()
@@ -240,7 +255,7 @@ impl Domain {
     pub fn notes(&self) -> Vec<String> {
         let outer = self.was_reversed().then(|| {
             "The corners of the outline ran clockwise and were reversed (an outline runs counter-clockwise, with the \
-             domain on its left); each side kept its edge."
+             domain on its left); each side kept its edge, and sides count from the last one as given."
                 .to_owned()
         });
         let holes: Vec<String> =
@@ -256,7 +271,7 @@ impl Domain {
             };
             format!(
                 "The corners of {names} ran counter-clockwise and were reversed (a hole runs clockwise, with the \
-                 domain on its left); each side kept its edge."
+                 domain on its left); each side kept its edge, and sides count from the last one as given."
             )
         });
         outer.into_iter().chain(holes).chain(self.splits.iter().cloned()).collect()

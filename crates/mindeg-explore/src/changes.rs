@@ -1,12 +1,13 @@
 //! The limit of the minimum angle, and changes of interval counts that bring a smaller degree or a larger
 //! angle.
 
+use mindeg::changes::{count_changes, own_boundary};
 use mindeg::interior::{Cause, Lift};
-use mindeg::{Domain, Intervals, Progress, changes::count_changes};
+use mindeg::{Domain, Intervals, Progress};
 use mindeg_answers::limit::{Lifting, lift_counts};
 use mindeg_answers::numbers::steady_angle;
 use mindeg_answers::suggest::in_words;
-use mindeg_core::{Boundary, Change, Suggestion};
+use mindeg_core::{Change, Suggestion};
 use serde_json::value::RawValue;
 
 use crate::api::{ChangeShown, LimitShown};
@@ -68,7 +69,7 @@ pub(crate) fn suggestions(
     } else if domain.rings().vertex_count() <= SEARCHED
         && let Ok(changes) = count_changes(domain, None, 1.0, progress)
     {
-        let name = |side: usize| domain.side_name(side);
+        let name = |side: usize| domain.side_in_text(side);
         let changes = changes.found.iter().take(MOST);
         found.extend(changes.filter_map(|change| shown(&change.suggestion, &change.after, &name)));
     }
@@ -87,14 +88,7 @@ pub(crate) fn suggestions(
     found
 }
 
-/// The boundary that formulas take, if its sides are those of the domain.
-fn own_boundary(domain: &Domain) -> Option<&Boundary> {
-    let form = domain.convex().filter(|_| !domain.is_constrained())?;
-    let is_own = form.first() == 0 && form.boundary().sides().eq(domain.rings().sides());
-    is_own.then(|| form.boundary())
-}
-
-/// The domain with other counts; `None` if its sides have points or spacing laws that do not fit them.
+/// The domain with other counts; `None` if its sides have spacing laws that do not fit them.
 fn changed(domain: &Domain, changes: &[Change]) -> Option<Domain> {
     let mut sides = domain.sides().to_vec();
     for change in changes {
@@ -112,21 +106,4 @@ fn json(domain: &Domain) -> Option<Box<RawValue>> {
 fn capital(words: &str) -> String {
     let mut letters = words.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn only_sides_that_the_formula_has_too_are_changed() {
-        let boundary_of = |corners: &str| {
-            let text = format!(r#"{{"polygon": {{"corners": {corners}}}, "size": 1}}"#);
-            own_boundary(&Domain::from_json(&text).unwrap()).map(|boundary| boundary.side_count())
-        };
-        assert_eq!(boundary_of("[[0,0],[4,0],[4,3],[0,3]]"), Some(4));
-        // The formula merges the two sides below; no side has the merged count.
-        assert_eq!(boundary_of("[[0,0],[2,0],[4,0],[4,3],[0,3]]"), None);
-        assert_eq!(boundary_of("[[2,0],[4,0],[4,3],[0,3],[0,0]]"), None);
-    }
 }

@@ -6,7 +6,7 @@ use crate::dict::dict;
 use crate::mesh::{Facts, Mesh, hash_of};
 use crate::wish::Wish;
 use crate::work::{done, value_error};
-use mindeg::changes::count_changes;
+use mindeg::changes::{count_changes, own_boundary};
 use mindeg::glam::DVec3;
 use mindeg::interior::{BoundaryDemands, condition};
 use mindeg::{Domain as Inner, DomainJsonError, Positions, exact};
@@ -142,11 +142,7 @@ impl Domain {
             changes: one.changes.iter().map(|change| (change.side, change.by)).collect(),
             at_least,
         };
-        if let Some(form) = self.inner.convex()
-            && form.boundary().side_count() == self.inner.sides().len()
-            && !self.inner.is_constrained()
-        {
-            let boundary = form.boundary();
+        if let Some(boundary) = own_boundary(&self.inner) {
             let by_formula = |one: mindeg_core::Suggestion| {
                 let (intervals, cost) = (one.intervals(boundary), one.cost());
                 suggestion(one, intervals, cost)

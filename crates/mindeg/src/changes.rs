@@ -20,7 +20,7 @@ mod of_domain;
 mod of_model;
 mod side;
 
-pub use of_domain::count_changes;
+pub use of_domain::{count_changes, own_boundary};
 pub use of_model::model_count_changes;
 
 /// The tries of a domain, times the square of its vertices: some seconds.

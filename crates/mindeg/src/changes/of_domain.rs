@@ -1,7 +1,7 @@
 //! Domains with other counts of their sides.
 
 use glam::DVec2;
-use mindeg_core::Change;
+use mindeg_core::{Boundary, Change};
 use mindeg_domain::{Constraints, Domain, ExternalDegree, SideConstraint};
 use mindeg_mesh::Progress;
 
@@ -55,6 +55,17 @@ pub fn count_changes(
         ));
     }
     found(domain, wanted, effort, progress)
+}
+
+/// The boundary whose counts formulas change: where its sides are those of the domain, all of them straight, and none
+/// keeps points. Elsewhere the formulas count otherwise, and [`count_changes`] is to look.
+pub fn own_boundary(domain: &Domain) -> Option<&Boundary> {
+    let form = domain.convex().filter(|_| !domain.is_constrained())?;
+    let has_own_count = |side| domain.is_straight(side) && !domain.keeps_points(side);
+    let is_own = form.first() == 0
+        && form.boundary().sides().eq(domain.rings().sides())
+        && (0..domain.sides().len()).all(has_own_count);
+    is_own.then(|| form.boundary())
 }
 
 /// Whether degrees are given vertex by vertex.
@@ -160,4 +171,29 @@ fn ends(domain: &Domain, side: usize) -> [DVec2; 2] {
     let own = rings.ring_sides(rings.in_ring(side).ring);
     let next = if side + 1 == own.end { own.start } else { side + 1 };
     [side, next].map(|corner| domain.placement().corners()[corner])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_sides_that_the_formula_has_too_are_its_own() {
+        let boundary_of = |outline: &str| {
+            let domain = Domain::from_json(&format!("{{{outline}}}")).unwrap();
+            own_boundary(&domain).map(Boundary::side_count)
+        };
+        let of_corners = |corners: &str| {
+            boundary_of(&format!(r#""polygon": {{"corners": {corners}}}, "size": 1"#))
+        };
+        assert_eq!(of_corners("[[0,0],[4,0],[4,3],[0,3]]"), Some(4));
+        // The formula merges the two sides below; no side has the merged count.
+        assert_eq!(of_corners("[[0,0],[2,0],[4,0],[4,3],[0,3]]"), None);
+        assert_eq!(of_corners("[[2,0],[4,0],[4,3],[0,3],[0,0]]"), None);
+        // One side of seven points, and four sides of which one keeps its points.
+        assert_eq!(boundary_of(r#""ring": [[0,0],[1,0],[3,0],[4,0],[4,3],[0,3]]"#), None);
+        let kept = r#""rectangle": {"width": 4, "height": 3},
+            "sides": [{"points": [[1, 0]]}, {"intervals": 1}, {"intervals": 1}, {"intervals": 1}]"#;
+        assert_eq!(boundary_of(kept), None);
+    }
 }

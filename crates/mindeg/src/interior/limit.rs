@@ -147,7 +147,7 @@ fn named(domain: &Domain, edge: u32) -> (Option<usize>, String) {
     match edge.checked_sub(domain.rings().vertex_count()) {
         None => {
             let side = domain.rings().side_of(edge);
-            (Some(side), domain.side_name(side))
+            (Some(side), domain.side_in_text(side))
         }
         Some(segment) => {
             let lines = domain.inner_lines();
