@@ -74,14 +74,6 @@ pub(crate) fn run(arguments: &DegreeArguments) -> Result<(), Failure> {
 
 /// The degree of a whole model, over all its faces.
 fn of_model(arguments: &DegreeArguments, found: &Model) -> Result<(), Failure> {
-    for (option, is_given) in [
-        ("--proof", arguments.proof.is_some()),
-        ("--boundary-degree", arguments.boundary_degree.is_some()),
-    ] {
-        if is_given {
-            return Err(Failure::Input(format!("{option} is for a domain, and this is a model")));
-        }
-    }
     let (bar, effort) = (Bar::new(arguments.json), arguments.model.effort);
     let meshed = bar.work(|progress| mesh_model(found, Goal::default(), effort, progress));
     let meshed = meshed.map_err(|error| model::bad(arguments.counts.path(), &error))?;

@@ -9,6 +9,7 @@ use crate::bar::Bar;
 use crate::failure::Failure;
 use crate::interrupt::SESSION;
 use crate::terminal::say;
+use crate::unused::Taken;
 use mindeg::{Domain, Intervals, Model, Outline, Rectangle, Side, TriMesh};
 use mindeg_answers::names::{part_name, shown};
 use mindeg_files::{
@@ -150,10 +151,14 @@ pub(crate) fn counted(arguments: &CountsArguments, wanted: Wanted) -> Result<Cou
                            are given already",
             ));
         }
-        Some(Counts::Given(counts)) => return Ok(Counted::Counts(counts.clone())),
+        Some(Counts::Given(counts)) => {
+            Taken::Counts.refuse_unused("")?;
+            return Ok(Counted::Counts(counts.clone()));
+        }
         Some(Counts::Domain(path)) => in_file(path, options, wanted, &Bar::new(true))?,
         // The counts of sides that nothing else describes.
         None if options.are_counts() => {
+            Taken::Counts.refuse_unused("")?;
             let counts = options.intervals.iter().flat_map(|counts| counts.0.iter().copied());
             return Ok(Counted::Counts(counts.collect()));
         }
@@ -243,7 +248,7 @@ pub(crate) fn opened(
     let bad = |error: &dyn ToString| Failure::Input(format!("{name}: {}", error.to_string()));
     Ok(match bar.work(|progress| SESSION.open(&input, wanted, &read, progress))? {
         Content::Domain(text) => {
-            options.refuse_for_json(&name)?;
+            Taken::Domain.refuse_unused(&name)?;
             let domain = match repair {
                 true => Domain::from_json_noded(&text),
                 false => Domain::from_json(&text),
@@ -260,15 +265,23 @@ pub(crate) fn opened(
             Subject::Domain(Box::new(SESSION.with_sizes(domain, &input)?))
         }
         Content::Model(text) => {
+            Taken::Model.refuse_unused(&name)?;
             Subject::Model(Box::new(Model::from_json(&text).map_err(|error| bad(&error))?))
         }
         Content::Polygons(polygons) => {
+            Taken::Polygons.refuse_unused(&name)?;
             polygons.notes.iter().for_each(|note| say(&format!("{name}: {note}")));
             let subject = Subject::Polygons(polygons);
             subject.refuse_degrees([("--snap", snap)])?;
             subject
         }
-        Content::Mesh(mesh) => Subject::Mesh(mesh),
+        Content::Mesh(mesh) => {
+            // A mesh that is only shown is no model.
+            if wanted == Wanted::Model {
+                Taken::FromMesh.refuse_unused(&name)?;
+            }
+            Subject::Mesh(mesh)
+        }
     })
 }
 
@@ -288,6 +301,7 @@ pub(crate) fn from_options(options: &DomainOptions) -> Result<Domain, Failure> {
             ));
         }
     };
+    Taken::Corners.refuse_unused("")?;
     if intervals.is_none() && size.is_none() {
         return Err(Failure::input("how many intervals? give --intervals a,b,… or --size S"));
     }

@@ -45,6 +45,7 @@ mod suggest;
 mod terminal;
 mod threads;
 mod tradeoff;
+mod unused;
 mod verify;
 mod version;
 mod view;

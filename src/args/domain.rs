@@ -1,7 +1,6 @@
 //! The options that describe a domain.
 
 use super::values::{Corners, IntervalCounts, Length, RectangleSize, angle, length_with_unit};
-use crate::failure::Failure;
 use clap::parser::ValueSource;
 use clap::{ArgMatches, Args};
 use mindeg::Spacing;
@@ -142,26 +141,6 @@ pub(crate) struct OutlineOptions {
         allow_hyphen_values = true
     )]
     pub(crate) corner_angle: f64,
-}
-
-impl OutlineOptions {
-    /// Refuses what says nothing about a domain in JSON.
-    pub(crate) fn refuse_for_json(&self, file: &str) -> Result<(), Failure> {
-        let given = [
-            ("--feature", self.feature.is_some()),
-            ("--layer", self.layer.is_some()),
-            ("--name-by", self.name_by.is_some()),
-            ("--project", self.project.is_some_and(|choice| choice != ProjectionChoice::None)),
-            ("--snap", self.snap.is_some()),
-            ("--fill-rule", self.fill_rule.is_some()),
-        ];
-        let Some((option, _)) = given.into_iter().find(|(_, is_given)| *is_given) else {
-            return Ok(());
-        };
-        Err(Failure::Input(format!(
-            "{option} is for outlines such as GeoJSON or SVG; {file} is a domain in JSON"
-        )))
-    }
 }
 
 /// The names of a side and of the one that it matches.

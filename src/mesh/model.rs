@@ -21,6 +21,7 @@ pub(super) fn run(model: &Model, arguments: &MeshArguments) -> Result<(), Failur
     if arguments.interior.interior || arguments.goal.purpose == Some(Purpose::Solver) {
         return fill(model, arguments, making);
     }
+    super::interior::refuse_options(arguments)?;
     let (goal, effort) = (arguments.goal.goal(), arguments.model.effort);
     making.open()?;
     let meshed = making.work(|progress| mesh_model(model, goal, effort, progress));

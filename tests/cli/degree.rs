@@ -153,5 +153,6 @@ fn the_degree_of_a_model_is_that_of_its_mesh() {
         }
     }
     mindeg(["degree", "assets/models/bracket.obj"]).refuses(&["give --size"]);
-    mindeg(["degree", "assets/models/cube.json", "--proof", &out]).refuses(&["this is a model"]);
+    mindeg(["degree", "assets/models/cube.json", "--proof", &out])
+        .refuses(&["--proof is for a domain; ", "is a model"]);
 }

@@ -52,5 +52,6 @@ mod stitch;
 mod suggest;
 mod terminal;
 mod tradeoff;
+mod unused;
 mod verify;
 mod view;
