@@ -1,6 +1,6 @@
 //! Guesses at slips in usage: what was likely meant, where the parser can only say what is wrong.
 
-use crate::args::point;
+use crate::args::{Arguments, point};
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use mindeg_files::{Format, is_domain_name, is_mesh_name};
 use std::ffi::OsString;
@@ -121,14 +121,31 @@ const RENAMED: [(&str, &str); 4] = [
 ];
 
 fn renamed(command: &str, option: &str) -> Option<String> {
-    if command == "condition" && option == "--target-angle" {
+    if option == "--open" {
+        return has(command, "--show").then(|| "--show shows the mesh in a browser".to_owned());
+    }
+    let renamed = RENAMED.iter().find(|(old, _)| *old == option);
+    let today = renamed.map_or(option, |&(_, new)| new);
+    if command == "condition" && today == "--target-angle" {
         return Some("condition has --limit, the angle that the boundary shall allow".to_owned());
     }
-    if option == "--open" {
-        return Some("--show shows the mesh in a browser".to_owned());
+    renamed?;
+    if has(command, today) {
+        return Some(format!("{option} is now {today}"));
     }
-    let (_, new) = RENAMED.iter().find(|(old, _)| *old == option)?;
-    Some(format!("{option} is now {new}"))
+    let whole = Arguments::whole();
+    let names = whole.get_subcommands().map(clap::Command::get_name);
+    let takers: Vec<&str> = names.filter(|name| has(name, today)).collect();
+    let takers = takers.join(", ");
+    Some(format!("{option} is now {today}, which {command} does not take; these do: {takers}"))
+}
+
+/// Whether a command has the option.
+fn has(command: &str, option: &str) -> bool {
+    let whole = Arguments::whole();
+    let found = whole.find_subcommand(command);
+    let name = option.trim_start_matches('-');
+    found.is_some_and(|found| found.get_arguments().any(|known| known.get_long() == Some(name)))
 }
 
 /// `mesh plate.json plate.obj`, `mesh a.json b.json`
