@@ -1,8 +1,6 @@
 //! Triangle meshes in and out of files.
 //!
-//! Each format is a module with reader and writer side by side: surfaces ([`obj`], [`gltf`],
-//! [`glb`], [`ply`], [`stl`], [`off`]), solver files ([`msh`], [`vtu`], [`vtk`], [`su2`], [`inp`],
-//! [`triangle`], [`fort14`], [`slf`], UGRID, [`sms2dm`]), arrays of numpy ([`npz`]), maps (GeoJSON), and pictures ([`svg`], [`png`]).
+//! Each format of surfaces, solvers, arrays, maps or pictures is a module with reader and writer side by side.
 //! [`Format`] lists them; [`read()`] and [`Writer`] choose among them. Every reader gives a
 //! [`TriMesh`](mindeg_mesh::TriMesh), every writer takes any [`Mesh`](mindeg_mesh::Mesh), so each mesh that
 //! is read can be written in any format.
