@@ -41,7 +41,10 @@ pub struct Interior {
     pub sizes: Vec<Size>,
     /// The degrees of interior vertices, a range around 6 [default: 5 to 7]
     #[cfg_attr(feature = "json", serde(default, with = "crate::json::range"))]
-    #[cfg_attr(feature = "json", schemars(with = "Option<[u32; 2]>"))]
+    #[cfg_attr(feature = "json", schemars(
+        with = "Option<[u32; 2]>",
+        extend("prefixItems" = [{"type": "integer", "minimum": 3, "maximum": 6}, {"type": "integer", "minimum": 6}])
+    ))]
     pub interior_degree: Option<RangeInclusive<u32>>,
     /// The most edges at the boundary; more at reflex corners, 2 + round(angle/60°) [default: 5]
     #[cfg_attr(feature = "json", schemars(range(min = 4)))]

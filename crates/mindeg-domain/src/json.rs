@@ -5,6 +5,7 @@
 //!
 //! Limits: JSON has no comments and no infinities. The whole text is held in memory.
 
+mod choices;
 mod description;
 mod error;
 mod fault;

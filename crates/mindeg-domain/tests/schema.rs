@@ -69,6 +69,35 @@ fn the_pages_have_every_key_and_no_other() {
     }
 }
 
+/// There is one outline, few corners have a curve between them, and degrees inside are around 6: by the schema and by the reader.
+#[test]
+fn the_schema_has_the_choices_of_the_reader() {
+    let schema: Value = serde_json::from_str(&DomainDescription::schema()).unwrap();
+    let outlines = schema["oneOf"].as_array().unwrap().iter();
+    let outlines: Vec<&Value> = outlines.map(|outline| &outline["required"][0]).collect();
+    assert_eq!(outlines, ["rectangle", "polygon", "ring"]);
+    let hole = &schema["$defs"]["Hole"];
+    assert_eq!(schema["if"]["properties"]["polygon"], hole["if"]);
+    assert_eq!(
+        (&schema["then"], &hole["if"]["properties"]["corners"]["maxItems"]),
+        (&hole["then"], &json!(2))
+    );
+    let degrees = &schema["$defs"]["Interior"]["properties"]["interior_degree"]["prefixItems"];
+    assert_eq!((&degrees[0]["maximum"], &degrees[1]["minimum"]), (&json!(6), &json!(6)));
+    let square = json!([[0, 0], [9, 0], [9, 9], [0, 9]]);
+    let rectangle = json!({"width": 4, "height": 3});
+    for wrong in [
+        json!({}),
+        json!({"ring": square, "rectangle": rectangle}),
+        json!({"ring": square, "polygon": {"corners": square}}),
+        json!({"polygon": {"corners": [[0, 0], [1, 0]]}, "size": 1}),
+        json!({"ring": square, "holes": [{"corners": [[1, 1], [2, 2]], "size": 1}]}),
+        json!({"rectangle": rectangle, "size": 1, "interior": {"interior_degree": [7, 5]}}),
+    ] {
+        assert!(mindeg_domain::Domain::from_json(&wrong.to_string()).is_err(), "{wrong}");
+    }
+}
+
 /// Rings of two points, rectangles of no width and sizes that are none are refused by the schema and by the reader.
 #[test]
 fn the_schema_has_the_bounds_of_the_reader() {

@@ -8,6 +8,7 @@ use mindeg_mesh::planar::InRing;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::choices::{few_corners, has_curve, one_outline, polygon_of_few_corners};
 use super::line::LineKeys;
 use super::side::{SideKeys, lone_side};
 use crate::build::DomainBuilder;
@@ -36,6 +37,7 @@ use crate::side::Side;
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(extend("oneOf" = one_outline(), "if" = polygon_of_few_corners(), "then" = has_curve()))]
 pub struct DomainDescription {
     /// The domain's name
     name: Option<String>,
@@ -83,6 +85,7 @@ struct Polygon {
 /// A hole: `corners` with `sides` or `size`, or a `ring`
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(extend("if" = few_corners(), "then" = has_curve()))]
 struct Hole {
     /// `[x, y]` of each corner, either way round
     #[schemars(with = "Option<Vec<[f64; 2]>>", extend("minItems" = 1))]
