@@ -12,6 +12,7 @@ use crate::terminal::say;
 use crate::unused::Taken;
 use mindeg::{Domain, Intervals, Model, Outline, Rectangle, Side, TriMesh};
 use mindeg_answers::names::{part_name, shown};
+use mindeg_answers::numbers;
 use mindeg_files::{
     Content, Division, Input, PolygonFile, ProjectionChoice, ReadOptions, Selection, Wanted,
 };
@@ -324,10 +325,9 @@ fn overridden(mut sides: Vec<Side>, options: &DomainOptions) -> Result<Vec<Side>
     if let Some(counts) = &options.intervals {
         if counts.0.len() != sides.len() {
             return Err(Failure::Input(format!(
-                "--intervals gives {} counts for {} sides; give one for each side, \
-                 counter-clockwise",
-                counts.0.len(),
-                sides.len()
+                "--intervals gives {} for {}; give one for each side, counter-clockwise",
+                numbers::counted(counts.0.len() as u64, "count"),
+                numbers::counted(sides.len() as u64, "side")
             )));
         }
         for (side, &count) in sides.iter_mut().zip(&counts.0) {

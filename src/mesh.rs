@@ -172,7 +172,7 @@ fn has_more(meshed: &Meshed, answer: &MeshAnswer) -> bool {
         && answer.share_of_limit.is_some_and(|share| share < 1.0)
 }
 
-/// What gives a domain that is too large for its limits a mesh.
+/// The way to a mesh for a domain that is too large for its limits.
 pub(crate) const WITHOUT_CONSTRAINTS: &str = "leave out outside_degree and max_degree";
 
 /// The mesh of a domain.

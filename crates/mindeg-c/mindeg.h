@@ -86,7 +86,7 @@ uint32_t mindeg_max_degree(const MindegMesh *mesh);
 double mindeg_min_angle(const MindegMesh *mesh);
 
 /*
- What is known and proven of the mesh: JSON text with keys of `mindeg mesh --json`. It lives as long as the handle; NULL
+ The facts that are known and proven of the mesh: JSON text with keys of `mindeg mesh --json`. It lives as long as the handle; NULL
  without a mesh.
  */
 const char *mindeg_report(const MindegMesh *mesh);

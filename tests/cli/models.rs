@@ -169,6 +169,11 @@ fn a_model_may_come_by_standard_input() {
     assert_eq!(run.code, Some(0), "{run:?}");
     let run = shell(folder.path(), "echo '{\"faces\": 3}' | \"$MINDEG\" mesh - -o out.obj");
     run.refuses(&["standard input: ", "faces"]);
+    // A model from there has no name, and one thing is told as one.
+    let triangle = "v 0 0 0\\nv 1 0 0\\nv 0 1 0\\nf 1 2 3\\n";
+    let script = format!("printf '{triangle}' | \"$MINDEG\" degree - --size 5");
+    let run = shell(folder.path(), &script);
+    assert!(run.text().starts_with("model: 1 face, 3 vertices, 1 triangle, "), "{run:?}");
     let domain = r#"{"polygon": {"corners": [[0, 0], [2, 0], [0, 1]]}, "size": 1}"#;
     let run = shell(folder.path(), &format!("echo '{domain}' | \"$MINDEG\" mesh - -q -o out.obj"));
     assert_eq!(run.code, Some(0), "{run:?}");

@@ -2,7 +2,7 @@
 
 use crate::interior::DegreeViolation;
 use crate::names::shown;
-use crate::numbers::{percent, steady_angle};
+use crate::numbers::{counted, percent, steady_angle, triangles as triangle_words};
 use mindeg::model::{FilledModel, JointBound, ModelMesh};
 use mindeg::quality::TriangleQuality;
 use mindeg::{Model, ModelPlace};
@@ -167,8 +167,9 @@ impl ModelAnswer {
         lines.insert(
             0,
             format!(
-                "{faces} faces, {vertices} vertices{inside}, {triangles} triangles, {degree}, angles \
-                 {min} to {max}"
+                "{}, {vertices} vertices{inside}, {}, {degree}, angles {min} to {max}",
+                counted(faces as u64, "face"),
+                triangle_words(triangles)
             ),
         );
         lines.extend(model.notes().iter().cloned());

@@ -102,7 +102,7 @@ pub extern "C" fn mindeg_min_angle(mesh: Option<&MindegMesh>) -> f64 {
     mesh.and_then(MindegMesh::made).map_or(f64::NAN, |made| made.min_angle)
 }
 
-/// What is known and proven of the mesh: JSON text with keys of `mindeg mesh --json`. It lives as long as the handle; NULL
+/// The facts that are known and proven of the mesh: JSON text with keys of `mindeg mesh --json`. It lives as long as the handle; NULL
 /// without a mesh.
 #[unsafe(no_mangle)]
 pub extern "C" fn mindeg_report(mesh: Option<&MindegMesh>) -> *const c_char {

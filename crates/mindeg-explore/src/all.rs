@@ -1,4 +1,4 @@
-//! What requests are answered from, and the work on them in its turn.
+//! The state that answers requests, and the work on them in its turn.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;

@@ -47,10 +47,10 @@ impl WholeMap {
     }
 }
 
-/// What is asked of a map.
+/// A request about a map.
 #[derive(Clone, Debug, Deserialize)]
 pub(crate) struct Asked {
-    /// What its mesh is for; as advised without it.
+    /// The purpose of its mesh; as advised without it.
     purpose: Option<String>,
     /// The format of a download.
     #[serde(default)]

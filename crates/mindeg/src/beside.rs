@@ -177,7 +177,7 @@ fn parts_of(
         match mesh(&domains[index], Goal::MaxDegree(limit), progress) {
             Ok(more) if angle(&more) > angle(meshed) => Ok(more.with_bound_of(meshed)),
             Ok(_) => Ok(meshed.clone()),
-            // What windows do not reach again is there already.
+            // The mesh that windows do not reach again is there already.
             Err(error) => progress.report(WHAT, 0, 1).map_or(Err(error), |()| Ok(meshed.clone())),
         }
     })?;

@@ -45,7 +45,8 @@ pub(crate) fn of_mesh(
     };
     let model = Model::of_mesh(mesh, &from_mesh).map_err(|error| bad(file, &error))?;
     // An OBJ has names for groups alone.
-    let stem = path.file_stem().and_then(|stem| stem.to_str());
+    let stem = file.filter(|path| matches!(Input::of(path), Input::File(_)));
+    let stem = stem.and_then(|path| path.file_stem()?.to_str());
     let is_plain = |stem: &&str| stem.chars().all(|c| c.is_alphanumeric() || "-_. ".contains(c));
     Ok(match stem.filter(is_plain) {
         Some(stem) if model.name().is_none() => model.named(stem),

@@ -1,4 +1,4 @@
-//! What is round a narrow place, as far as a mesh of it depends on that, and the angle that a mesh has there.
+//! The surroundings of a narrow place, as far as a mesh of it depends on that, and the angle that a mesh has there.
 //!
 //! A piece of a strait alone would be closed by edges across its mouths, which a mesh need not have. So triangles are taken
 //! until these edges are far enough, and the edges get points, as if there were a mesh beyond.
