@@ -129,7 +129,7 @@ fn table(answer: &TradeOffAnswer, limit: u32, told: Option<Purpose>) -> String {
             "{:>14}  {:>14}  {:>13}{}",
             point.max_degree,
             steady_angle(point.min_angle),
-            percent(point.share_of_delaunay),
+            percent(point.share_of_limit),
             if advised == Some(row) { "  advised" } else { "" },
         );
     }

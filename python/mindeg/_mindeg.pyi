@@ -35,7 +35,7 @@ class TradeOffPoint:
     @property
     def min_angle(self) -> float: ...
     @property
-    def share_of_delaunay(self) -> float: ...
+    def share_of_limit(self) -> float: ...
     @property
     def is_proven(self) -> bool: ...
     @property
@@ -135,7 +135,7 @@ def verify(
     max_degree: int | None = None,
     target_angle: float | None = None,
     preset: str | None = None,
-    keep_angle: float | None = None,
+    keep_angle: float | str | None = None,
     optimal: bool = False,
     feature_angle: float | None = None,
     keep_boundary: bool = False,

@@ -26,7 +26,7 @@ def test_keeping_the_angle_costs_one_degree():
 def test_the_trade_off_ends_at_delaunay():
     points = mindeg.rectangle(4, 3, intervals=[10, 10, 10, 10]).tradeoff()
     assert [point.max_degree for point in points] == [4, 5]
-    assert points[-1].share_of_delaunay == pytest.approx(1.0)
+    assert points[-1].share_of_limit == pytest.approx(1.0)
     assert points[0].mesh.max_degree == 4
     assert points[0].mesh.least_max_degree == 4 and all(point.is_proven for point in points)
 

@@ -19,6 +19,10 @@ def test_a_mesh_is_verified_against_its_domain():
     assert found["passed"] and found["optimal"] == "yes" and found["failed"] == [] and "file" not in found
     found = mindeg.verify(domain.mesh(keep_angle=0.95), domain, optimal=True, max_degree=4, keep_angle=0.99, target_angle=30)
     assert not found["passed"] and len(found["failed"]) == 3
+    assert mindeg.verify(mesh, domain, keep_angle="99%")["failed"] == mindeg.verify(mesh, domain, keep_angle=0.99)["failed"] != []
+    for wrong in ("99", 99):
+        with pytest.raises(ValueError, match="keep_angle.*(a share from 0 to 1|write 99%)"):
+            mindeg.verify(mesh, domain, keep_angle=wrong)
     moved = mindeg.Mesh(mesh.points + [0.1, 0], mesh.triangles)
     found = mindeg.verify(moved, domain)
     assert not found["valid"] and found["defect"]["kind"] == "no_vertex"

@@ -39,7 +39,7 @@ pub(crate) struct TradeoffArguments {
     pub(crate) limit: u32,
 
     /// Print JSON instead of a table: points, a list of max_degree, min_angle,
-    /// share_of_delaunay and exact, all of them; delaunay_min_angle; advised, the degree for a patch; and advice
+    /// share_of_limit and exact, all of them; angle_limit; advised, the degree for a patch; and advice
     #[arg(long, help_heading = "Messages")]
     pub(crate) json: bool,
 

@@ -266,7 +266,7 @@ fn parts_without_interior_points_are_one_mesh() {
     let curve = run.json();
     let points = curve["points"].as_array().expect("a list");
     assert_eq!(points[0]["max_degree"], degree["reached"], "{curve}");
-    assert_eq!(points.last().expect("a point")["share_of_delaunay"], 1.0);
+    assert_eq!(points.last().expect("a point")["share_of_limit"], 1.0);
     let written = fs::read_to_string(&figures).expect("figures");
     assert_eq!(serde_json::from_str::<serde_json::Value>(&written).expect("JSON"), curve);
 
@@ -276,7 +276,7 @@ fn parts_without_interior_points_are_one_mesh() {
     .json();
     assert!(
         limited["min_angle"].as_f64()
-            > Some(0.999 * curve["delaunay_min_angle"].as_f64().expect("an angle"))
+            > Some(0.999 * curve["angle_limit"].as_f64().expect("an angle"))
     );
 
     for (command, options, why) in [

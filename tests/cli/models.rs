@@ -212,7 +212,7 @@ fn the_angle_that_is_asked_for_is_kept() {
     let folder = tempfile::tempdir().expect("a folder");
     let files = [folder.path().join("house.obj")];
     let summary = mesh(&model("house.json"), &files, &["--keep-angle", "95%"]).json();
-    assert!(summary["share_of_delaunay"].as_f64().expect("a share") >= 0.95);
+    assert!(summary["share_of_limit"].as_f64().expect("a share") >= 0.95);
     assert!(summary["max_degree"].as_u64() >= summary["at_least"].as_u64());
 }
 

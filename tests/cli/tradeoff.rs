@@ -27,16 +27,16 @@ fn keys(value: &Value) -> Vec<&String> {
 fn json_has_the_angle_that_each_degree_buys() {
     for (intervals, least, angles) in ANGLES {
         let answer = mindeg([rectangle("tradeoff", intervals), vec!["--json"]].concat()).json();
-        assert_eq!(keys(&answer), ["advice", "advised", "delaunay_min_angle", "points"]);
+        assert_eq!(keys(&answer), ["advice", "advised", "angle_limit", "points"]);
         let points = answer["points"].as_array().expect("a list");
         assert_eq!(points.len(), angles.len(), "{intervals}");
         for (degree, (point, angle)) in (least..).zip(points.iter().zip(angles)) {
-            assert_eq!(keys(point), ["exact", "max_degree", "min_angle", "share_of_delaunay"]);
+            assert_eq!(keys(point), ["exact", "max_degree", "min_angle", "share_of_limit"]);
             assert_eq!((&point["max_degree"], &point["exact"]), (&json!(degree), &json!(true)));
             let seen = point["min_angle"].as_f64().expect("an angle");
             assert_eq!(format!("{seen:.3}"), *angle, "{intervals}");
         }
-        assert_eq!(points.last().expect("a point")["min_angle"], answer["delaunay_min_angle"]);
+        assert_eq!(points.last().expect("a point")["min_angle"], answer["angle_limit"]);
     }
 }
 

@@ -49,7 +49,7 @@ enum Known {
         worst_vertices: Vec<u32>,
         /// The smallest share that a face has of its Delaunay triangulation's minimum angle; null
         /// without `--keep-angle`.
-        share_of_delaunay: Option<f64>,
+        share_of_limit: Option<f64>,
         /// By corners.
         boundary_edges: Vec<[u32; 2]>,
         /// By corners: edges with three faces or more.
@@ -90,7 +90,7 @@ impl ModelAnswer {
                 _ => "weights",
             },
             worst_vertices: meshed.worst_vertices.clone(),
-            share_of_delaunay: meshed.angle_share,
+            share_of_limit: meshed.angle_share,
             boundary_edges: model.boundary_edges().map(corners).collect(),
             non_manifold_edges: model.non_manifold_edges().map(corners).collect(),
             groups: groups(model, &meshed.mesh),

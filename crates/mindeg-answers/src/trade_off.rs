@@ -16,7 +16,7 @@ use serde::Serialize;
 /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?;
 /// let answer = TradeOffAnswer::of(&exact::trade_off(&domain, Progress::NONE)?);
 /// assert_eq!((answer.points[0].max_degree, answer.advised), (4, Some(5)));
-/// assert!(answer.points[0].min_angle < answer.delaunay_min_angle);
+/// assert!(answer.points[0].min_angle < answer.angle_limit);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -25,7 +25,7 @@ pub struct TradeOffAnswer {
     /// A point for every maximum degree, in ascending order.
     pub points: Vec<AngleAtDegree>,
     /// The minimum angle of a Delaunay triangulation, in degrees.
-    pub delaunay_min_angle: f64,
+    pub angle_limit: f64,
     /// The degree to take: the smallest that keeps 95% of Delaunay's minimum angle; null if none does.
     pub advised: Option<u32>,
     /// The meshes to take by what they are for; absent where they were not asked for.
@@ -41,7 +41,7 @@ pub struct AngleAtDegree {
     /// The largest minimum angle there is then, in degrees.
     pub min_angle: f64,
     /// The same as a share of Delaunay's: 0 to 1.
-    pub share_of_delaunay: f64,
+    pub share_of_limit: f64,
     /// Whether that is proven; if not, a larger one may be possible.
     pub exact: bool,
 }
@@ -53,12 +53,12 @@ impl TradeOffAnswer {
         let points = trade_off.meshes().iter().map(|exact| AngleAtDegree {
             max_degree: exact.max_degree,
             min_angle: exact.min_angle,
-            share_of_delaunay: trade_off.share(exact),
+            share_of_limit: trade_off.share(exact),
             exact: exact.is_proven,
         });
         Self {
             points: points.collect(),
-            delaunay_min_angle: trade_off.delaunay_min_angle(),
+            angle_limit: trade_off.delaunay_min_angle(),
             advised: trade_off.keeping(KEPT).map(|exact| exact.max_degree),
             advice: None,
         }
@@ -95,14 +95,14 @@ impl TradeOffAnswer {
             if points.last().is_some_and(|last| last.min_angle >= min_angle) {
                 continue;
             }
-            let share_of_delaunay = share_of(min_angle, most);
+            let share_of_limit = share_of(min_angle, most);
             // Where a domain with the least angle is proven to have no larger one, neither have all.
             let exact = best.iter().any(|&(angle, is_proven)| is_proven && angle <= min_angle);
-            points.push(AngleAtDegree { max_degree, min_angle, share_of_delaunay, exact });
+            points.push(AngleAtDegree { max_degree, min_angle, share_of_limit, exact });
         }
         let kept = |point: &&AngleAtDegree| keeps(point.min_angle, KEPT, most);
         let advised = points.iter().find(kept).map(|point| point.max_degree);
-        Self { points, delaunay_min_angle: most, advised, advice: None }
+        Self { points, angle_limit: most, advised, advice: None }
     }
 
     /// The same with the meshes to take.
@@ -116,7 +116,7 @@ impl TradeOffAnswer {
     pub fn open_question(&self) -> Option<&'static str> {
         if self.points.iter().all(|point| point.exact) {
             None
-        } else if self.points.iter().all(|point| point.share_of_delaunay >= 1.0) {
+        } else if self.points.iter().all(|point| point.share_of_limit >= 1.0) {
             // No mesh has a larger minimum angle than Delaunay's.
             Some("Not all of these are proven: smaller degrees may be possible.")
         } else {
@@ -163,8 +163,8 @@ mod tests {
                 "{limit}: {point:?} {angle}"
             );
         }
-        assert_eq!(answer.points.last().unwrap().share_of_delaunay, 1.0);
-        assert!((expected - answer.delaunay_min_angle).abs() < 1e-8);
+        assert_eq!(answer.points.last().unwrap().share_of_limit, 1.0);
+        assert!((expected - answer.angle_limit).abs() < 1e-8);
         // Alone, a domain has its own.
         let alone = TradeOffAnswer::of_all(&trade_offs[..1]);
         assert_eq!(alone.advised, TradeOffAnswer::of(&trade_offs[0]).advised);
@@ -175,14 +175,14 @@ mod tests {
         let with = |shares: &[f64], exact| TradeOffAnswer {
             points: (5..)
                 .zip(shares)
-                .map(|(max_degree, &share_of_delaunay)| AngleAtDegree {
+                .map(|(max_degree, &share_of_limit)| AngleAtDegree {
                     max_degree,
-                    min_angle: 2.0 * share_of_delaunay,
-                    share_of_delaunay,
+                    min_angle: 2.0 * share_of_limit,
+                    share_of_limit,
                     exact,
                 })
                 .collect(),
-            delaunay_min_angle: 2.0,
+            angle_limit: 2.0,
             advised: None,
             advice: None,
         };

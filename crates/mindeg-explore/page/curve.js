@@ -58,7 +58,7 @@ export function showCurve(box, rows, curve, inside, shown, choose) {
   }
   const degrees = [...points, ...(inside ? [inside] : [])].map(({ max_degree }) => max_degree);
   const [from, to] = [Math.min(...degrees), Math.max(...degrees)];
-  const highest = Math.max(curve.delaunay_min_angle, inside?.min_angle ?? 0, ...points.map(({ min_angle }) => min_angle)) || 1;
+  const highest = Math.max(curve.angle_limit, inside?.min_angle ?? 0, ...points.map(({ min_angle }) => min_angle)) || 1;
   const x = (degree) => LEFT + 20 + ((degree - from) / (to - from + 0.35)) * (WIDTH - LEFT - RIGHT - 20);
   const y = (angle) => HEIGHT - BOTTOM - (angle / highest) * (HEIGHT - TOP - BOTTOM);
   const listed = listedPoints(curve, shown);
@@ -78,10 +78,10 @@ export function showCurve(box, rows, curve, inside, shown, choose) {
   }
   svg.append(draw("path", { class: "axis", d: `M${LEFT} ${HEIGHT - BOTTOM}H${WIDTH - RIGHT}` }));
   svg.append(draw("text", { class: "tick", "text-anchor": "middle", x: (LEFT + WIDTH - RIGHT) / 2, y: HEIGHT - 4 }, "maximum degree"));
-  const ceiling = y(curve.delaunay_min_angle);
+  const ceiling = y(curve.angle_limit);
   svg.append(draw("path", { class: "ceiling", d: `M${LEFT} ${ceiling}H${WIDTH - RIGHT}` }));
   const degree = curve.delaunay_max_degree ? `, degree ${curve.delaunay_max_degree}` : "";
-  svg.append(draw("text", { class: "tick", x: LEFT + 4, y: ceiling - 15 }, `Delaunay${degree}: ${angleText(curve.delaunay_min_angle)}`));
+  svg.append(draw("text", { class: "tick", x: LEFT + 4, y: ceiling - 15 }, `Delaunay${degree}: ${angleText(curve.angle_limit)}`));
   const line = points.map((point, i) => (i ? `H${x(point.max_degree)}V` : `M${x(point.max_degree)} `) + y(point.min_angle));
   svg.append(draw("path", { class: "curve", d: `${line.join("")}H${WIDTH - RIGHT}` }));
   const mark = (value, title, { max_degree, min_angle }) => {
@@ -113,7 +113,7 @@ function showRows(rows, curve, inside, shown, choose) {
   const all = [...(inside ? [{ value: "inside", ...inside }] : []), ...points.map((point) => ({ value: point.max_degree, ...point }))];
   // Buttons are kept, so that the one with the focus keeps it.
   while (rows.children.length > all.length) rows.lastChild.remove();
-  all.forEach(({ value, max_degree, min_angle, share_of_delaunay: share, exact }, place) => {
+  all.forEach(({ value, max_degree, min_angle, share_of_limit: share, exact }, place) => {
     const isInside = value === "inside";
     let button = rows.children[place];
     if (!button) {

@@ -34,7 +34,7 @@ pub(crate) struct TradeOffPoint {
     /// The largest minimum angle within it, in degrees.
     pub(crate) min_angle: f64,
     /// The share of Delaunay's minimum angle, 0 to 1.
-    pub(crate) share_of_delaunay: f64,
+    pub(crate) share_of_limit: f64,
     /// Whether no mesh within the limit has a larger minimum angle; if not proven, one may.
     pub(crate) is_proven: bool,
     /// The mesh.
@@ -45,8 +45,8 @@ pub(crate) struct TradeOffPoint {
 impl TradeOffPoint {
     fn __repr__(&self) -> String {
         format!(
-            "<mindeg.TradeOffPoint max_degree={} min_angle={:.3} share_of_delaunay={:.3}>",
-            self.max_degree, self.min_angle, self.share_of_delaunay
+            "<mindeg.TradeOffPoint max_degree={} min_angle={:.3} share_of_limit={:.3}>",
+            self.max_degree, self.min_angle, self.share_of_limit
         )
     }
 }

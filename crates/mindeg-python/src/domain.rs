@@ -118,7 +118,7 @@ impl Domain {
             Ok(TradeOffPoint {
                 max_degree: exact.max_degree,
                 min_angle: exact.min_angle,
-                share_of_delaunay: trade_off.share(exact),
+                share_of_limit: trade_off.share(exact),
                 is_proven: exact.is_proven,
                 mesh: Py::new(py, Mesh::new(exact.mesh.clone(), facts))?,
             })

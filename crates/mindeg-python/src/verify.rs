@@ -1,5 +1,6 @@
 //! Meshes judged: what is wrong with one, and whether it is what it was made for.
 
+use mindeg::Goal;
 use mindeg::inspection::{Inspection, InspectionOptions};
 use mindeg::verify::{SurfaceRules, optimality, surface, triangulation};
 use mindeg_answers::inspected::InspectionReport;
@@ -79,6 +80,18 @@ pub(crate) fn inspect<'py>(
     Ok(report)
 }
 
+/// The share that `keep_angle` gives as a number, or as people write it.
+fn share(given: &Bound<'_, PyAny>) -> PyResult<f64> {
+    if let Ok(text) = given.extract::<String>() {
+        return Goal::share(&text).map_err(|error| value_error(format!("keep_angle: {error}")));
+    }
+    let share: f64 = given.extract()?;
+    if !(0.0..=1.0).contains(&share) {
+        return Err(value_error(format!("keep_angle is {share}; give a share from 0 to 1")));
+    }
+    Ok(share)
+}
+
 /// Whether a mesh triangulates a domain, or keeps the surface of a part, judged by code that shares nothing with what
 /// makes meshes.
 ///
@@ -86,7 +99,7 @@ pub(crate) fn inspect<'py>(
 /// `docs/verify.md` explains: `passed` is the verdict; `defect`, `defects` and `failed` say what is wrong. `tolerance` is a length.
 /// The mesh fails where it breaks `max_degree`, `target_angle` in degrees, or the rules of a `preset` of `mindeg.PRESETS`.
 ///
-/// For a domain: `keep_angle` is a share, 0 to 1, of the largest minimum angle possible; with `optimal` the maximum degree must
+/// For a domain: `keep_angle` is a share, 0.95 or `"95%"`, of the largest minimum angle possible; with `optimal` the maximum degree must
 /// be proven to be the least. For a part: edges that turn by more than `feature_angle` degrees must be kept within the
 /// tolerance, 0.3 % of the part's diagonal unless given; with `keep_boundary` and `keep_features` bit for bit.
 #[pyfunction]
@@ -103,7 +116,7 @@ pub(crate) fn verify<'py>(
     max_degree: Option<u32>,
     target_angle: Option<f64>,
     preset: Option<&str>,
-    keep_angle: Option<f64>,
+    keep_angle: Option<&Bound<'py, PyAny>>,
     optimal: bool,
     feature_angle: Option<f64>,
     keep_boundary: bool,
@@ -119,9 +132,7 @@ pub(crate) fn verify<'py>(
             return Err(value_error(format!("{key} is {value}; give a number of 0 or more")));
         }
     }
-    if let Some(share) = keep_angle.filter(|share| !(0.0..=1.0).contains(share)) {
-        return Err(value_error(format!("keep_angle is {share}; give a share from 0 to 1")));
-    }
+    let keep_angle = keep_angle.map(share).transpose()?;
     let demands = demands(max_degree, target_angle, preset)?;
     let mesh = mesh.get().list()?;
     let answer = if let Ok(domain) = of.cast::<Domain>() {
