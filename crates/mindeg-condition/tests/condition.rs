@@ -498,7 +498,8 @@ fn a_rock_in_a_bay_keeps_the_bay() {
     let without = conditioned(std::slice::from_ref(&bay), &demands);
     assert!(without.rings[0].iter().all(|point| point.of != Some(2)), "{without:?}");
     let with = conditioned(&[bay, rock], &demands);
-    assert!(with.rings[0].iter().any(|point| point.of == Some(2)));
+    // Its tip may move away from the rock.
+    assert!(with.rings[0].iter().any(|point| point.at.y < -0.2), "{with:?}");
     assert_eq!(with.rings.len(), 2);
 }
 
