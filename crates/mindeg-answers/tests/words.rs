@@ -76,7 +76,7 @@ fn the_reasons_have_the_numbers_of_the_domain() {
     );
     // The triangles of a ring are as many as its vertices.
     let frame = r#"{"polygon": {"corners": [[0,0], [4,0], [4,4], [0,4]]}, "size": 0.4, "holes":
-        [{"corners": [[1,1], [3,1], [3,3], [1,3]], "size": 0.4}]}"#;
+        [{"corners": [[1,1], [1,3], [3,3], [3,1]], "size": 0.4}]}"#;
     assert_eq!(
         degree(frame),
         "No mesh has less than 5: with a hole, a mesh of degree 4 is a strip between two rings of as many \
