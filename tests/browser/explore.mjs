@@ -788,7 +788,6 @@ test("a hole that fits nowhere is refused there and then, and nothing waits for 
   assert.doesNotMatch((await figures(page))[1], /Working/);
   // Where the fault took long, the mesh before is gone, and its download with it.
   const take = page.locator("#download");
-  assert.equal(await take.isVisible(), !/no mesh/.test(await text(page, "[data-stage=main] h3")));
   if (await take.isVisible()) {
     await take.click();
     await page.waitForFunction(() => document.querySelector("#download").disabled === false);
