@@ -24,11 +24,14 @@ use crate::model::mesh_model;
 ///
 /// let tetrahedron = Model::from_json(
 ///     r#"{"corners": [[0,0,0], [1,0,0], [0,1,0], [0,0,1]],
-///         "faces": [[0,2,1], [0,1,3], [1,2,3], [2,0,3]], "intervals": 2}"#,
+///         "faces": [[0,2,1], [0,1,3], [1,2,3], [2,0,3]], "size": 0.75}"#,
 /// )?;
 /// let changes = model_count_changes(&tetrahedron, Some(5), 1.0, Progress::NONE)?;
-/// // The degrees of 10 vertices of a closed surface add up to 48.
-/// assert_eq!((changes.at_least, changes.reached), (5, 6));
+/// assert_eq!((changes.at_least, changes.reached), (6, 6));
+/// // One point less, on the edge between corners 2 and 3, is enough.
+/// let after = &changes.found[0];
+/// assert_eq!((after.suggestion.max_degree, after.at_least), (5, 1));
+/// assert_eq!(after.after.vertex_count(), 6);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn model_count_changes(
