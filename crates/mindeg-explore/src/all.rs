@@ -4,18 +4,15 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use axum::body::Bytes;
-use axum::extract::rejection::QueryRejection;
-use axum::extract::{Query, Request};
 use axum::http::StatusCode;
 use mindeg_answers::advice::Purpose;
 use mindeg_mesh::{Progress, Step};
 use rayon::ThreadPoolBuildError;
 
 use crate::api::Source;
-use crate::body::body;
 use crate::command::KnownFiles;
 use crate::guard::Guard;
-use crate::refusal::{Refusal, bad_request, refused};
+use crate::refusal::{Refusal, refused};
 use crate::setup::{Divide, Setup};
 use crate::states::States;
 use crate::terms::without_options;
@@ -47,13 +44,6 @@ impl All {
     }
 }
 
-/// The query after `?` in an address, if it is valid.
-pub(crate) type Asked<T> = Result<Query<T>, QueryRejection>;
-
-pub(crate) fn asked<T>(query: Asked<T>) -> Result<T, Refusal> {
-    query.map(|Query(asked)| asked).map_err(|error| bad_request(&error.body_text()))
-}
-
 /// The message if a thread ended before its work.
 pub(crate) const FAULT: &str =
     "this failed, which is a fault of mindeg; please report it with the domain";
@@ -65,10 +55,9 @@ pub(crate) fn failed() -> Refusal {
 /// Work on the body of a request.
 pub(crate) async fn answered<T: Send + 'static>(
     all: Arc<All>,
-    request: Request,
+    bytes: Bytes,
     work: impl FnOnce(&[u8], &KnownFiles, Progress<'_>) -> Result<T, String> + Send + 'static,
 ) -> Result<T, Refusal> {
-    let bytes = body(request).await?;
     let own = Arc::clone(&all);
     worked(&all, move |progress| work(&bytes, &own.known, progress)).await
 }

@@ -35,6 +35,7 @@ mod mesh;
 mod part;
 mod presets;
 mod reading;
+mod received;
 mod refusal;
 mod routes;
 mod server;

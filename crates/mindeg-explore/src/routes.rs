@@ -16,10 +16,10 @@ use mindeg_mesh::{Progress, Step};
 use serde::Deserialize;
 use tokio::sync::mpsc;
 
-use crate::all::{All, Asked, FAULT, answered, asked, failed, worked};
+use crate::all::{All, FAULT, answered, failed, worked};
 use crate::answer::{self, answer};
 use crate::api::{AnswerLine, View};
-use crate::body::{Lines, MAX_BYTES, body};
+use crate::body::{Lines, MAX_BYTES};
 use crate::command::KnownFiles;
 use crate::conditioned;
 use crate::download::{Download, download};
@@ -28,6 +28,7 @@ use crate::files::{self, File};
 use crate::guard::HasToken;
 use crate::presets::presets;
 use crate::reading::sources;
+use crate::received::{Asked, Sent};
 use crate::refusal::{Refusal, bad_request, json, refused};
 use crate::solid;
 use crate::terms::without_options;
@@ -120,9 +121,8 @@ async fn start_choices(State(all): State<Arc<All>>) -> Response {
 /// The same, read anew for edges of a length.
 async fn start_divided(
     State(all): State<Arc<All>>,
-    query: Asked<Length>,
+    Asked(Length { size }): Asked<Length>,
 ) -> Result<Response, Refusal> {
-    let Length { size } = asked(query)?;
     let Some(divide) = all.divide.clone() else {
         return Err(refused(StatusCode::NOT_FOUND, "the page was started without a domain"));
     };
@@ -147,15 +147,13 @@ fn is_name(name: &str) -> bool {
 
 async fn answers(
     State(all): State<Arc<All>>,
-    query: Asked<Tab>,
-    request: Request,
+    Asked(Tab { tab }): Asked<Tab>,
+    Sent(bytes): Sent,
 ) -> Result<Response, Refusal> {
-    let Tab { tab } = asked(query)?;
     if !is_name(&tab) {
         return Err(bad_request("tab takes up to 64 letters, digits, - and _"));
     }
     let work = all.works.start(&tab);
-    let bytes = body(request).await?;
     let (lines, received) = mpsc::unbounded_channel::<Bytes>();
     tokio::spawn(async move {
         let Some(turn) = all.works.turn().await else { return };
@@ -197,9 +195,10 @@ struct Named {
 }
 
 /// The domains in a file.
-async fn reading(query: Asked<Named>, request: Request) -> Result<Response, Refusal> {
-    let Named { name, size } = asked(query)?;
-    let bytes = body(request).await?;
+async fn reading(
+    Asked(Named { name, size }): Asked<Named>,
+    Sent(bytes): Sent,
+) -> Result<Response, Refusal> {
     let read = tokio::task::spawn_blocking(move || {
         sources(&Session::new("--"), &Input::Bytes(&name, &bytes), size)
     })
@@ -230,14 +229,13 @@ struct Wanted {
 /// A file of a mesh.
 async fn downloads(
     State(all): State<Arc<All>>,
-    query: Asked<Wanted>,
-    request: Request,
+    Asked(Wanted { format, file, view }): Asked<Wanted>,
+    Sent(bytes): Sent,
 ) -> Result<Response, Refusal> {
-    let Wanted { format, file, view } = asked(query)?;
     let work = move |bytes: &[u8], _: &KnownFiles, progress: Progress<'_>| {
         download(bytes, view, &format, file, progress)
     };
-    Ok(attached(answered(all, request, work).await?))
+    Ok(attached(answered(all, bytes, work).await?))
 }
 
 /// The length of edges.
@@ -249,78 +247,72 @@ struct Length {
 /// A divided boundary.
 async fn divides(
     State(all): State<Arc<All>>,
-    query: Asked<Length>,
-    request: Request,
+    Asked(Length { size }): Asked<Length>,
+    Sent(bytes): Sent,
 ) -> Result<Response, Refusal> {
-    let Length { size } = asked(query)?;
     let work =
         move |bytes: &[u8], _: &KnownFiles, _: Progress<'_>| conditioned::divided_json(size, bytes);
-    Ok(json(&answered(all, request, work).await?))
+    Ok(json(&answered(all, bytes, work).await?))
 }
 
 /// A changed boundary.
 async fn conditions(
     State(all): State<Arc<All>>,
-    query: Asked<conditioned::Asked>,
-    request: Request,
+    Asked(wanted): Asked<conditioned::Asked>,
+    Sent(bytes): Sent,
 ) -> Result<Response, Refusal> {
-    let wanted = asked(query)?;
     let work = move |bytes: &[u8], known: &KnownFiles, _: Progress<'_>| {
         conditioned::conditioned(wanted, bytes, known)
     };
-    Ok(json(&answered(all, request, work).await?))
+    Ok(json(&answered(all, bytes, work).await?))
 }
 
 /// A surface in space.
 async fn solids(
     State(all): State<Arc<All>>,
-    query: Asked<solid::Asked>,
-    request: Request,
+    Asked(wanted): Asked<solid::Asked>,
+    Sent(bytes): Sent,
 ) -> Result<Response, Refusal> {
-    let wanted = asked(query)?;
     let work = move |bytes: &[u8], known: &KnownFiles, progress: Progress<'_>| {
         solid::shown(&wanted, bytes, known, progress)
     };
-    Ok(json(&answered(all, request, work).await?))
+    Ok(json(&answered(all, bytes, work).await?))
 }
 
 /// A file of a surface in space.
 async fn solid_files(
     State(all): State<Arc<All>>,
-    query: Asked<solid::Asked>,
-    request: Request,
+    Asked(wanted): Asked<solid::Asked>,
+    Sent(bytes): Sent,
 ) -> Result<Response, Refusal> {
-    let wanted = asked(query)?;
     let work = move |bytes: &[u8], _: &KnownFiles, progress: Progress<'_>| {
         solid::file(&wanted, bytes, progress)
     };
-    Ok(attached(answered(all, request, work).await?))
+    Ok(attached(answered(all, bytes, work).await?))
 }
 
 /// The mesh of a whole map.
 async fn wholes(
     State(all): State<Arc<All>>,
-    query: Asked<whole::Asked>,
-    request: Request,
+    Asked(wanted): Asked<whole::Asked>,
+    Sent(bytes): Sent,
 ) -> Result<Response, Refusal> {
-    let wanted = asked(query)?;
     let work = move |bytes: &[u8], _: &KnownFiles, progress: Progress<'_>| {
         whole::shown(&wanted, bytes, progress)
     };
-    Ok(json(&answered(all, request, work).await?))
+    Ok(json(&answered(all, bytes, work).await?))
 }
 
 /// A file of the mesh of a whole map.
 async fn whole_files(
     State(all): State<Arc<All>>,
-    query: Asked<whole::Asked>,
-    request: Request,
+    Asked(wanted): Asked<whole::Asked>,
+    Sent(bytes): Sent,
 ) -> Result<Response, Refusal> {
-    let wanted = asked(query)?;
     let work = move |bytes: &[u8], _: &KnownFiles, progress: Progress<'_>| {
         whole::file(&wanted, bytes, progress)
     };
-    Ok(attached(answered(all, request, work).await?))
+    Ok(attached(answered(all, bytes, work).await?))
 }
 
 /// A file to save.
@@ -341,12 +333,11 @@ async fn state(State(all): State<Arc<All>>, Path(id): Path<String>) -> Result<Re
 async fn keep_state(
     State(all): State<Arc<All>>,
     Path(id): Path<String>,
-    request: Request,
+    Sent(bytes): Sent,
 ) -> Result<Response, Refusal> {
     if !is_name(&id) {
         return Err(bad_request("a state's ID has up to 64 letters, digits, - and _"));
     }
-    let bytes = body(request).await?;
     if serde_json::from_slice::<serde::de::IgnoredAny>(&bytes).is_err() {
         return Err(bad_request("a state is JSON"));
     }
