@@ -786,13 +786,43 @@ test("a hole that fits nowhere is refused there and then, and nothing waits for 
   await page.selectOption("#beside", "interior");
   await answered(page);
   assert.doesNotMatch((await figures(page))[1], /Working/);
-  // Where the fault took long, the mesh before is gone, and its download with it.
-  const take = page.locator("#download");
-  if (await take.isVisible()) {
-    await take.click();
-    await page.waitForFunction(() => document.querySelector("#download").disabled === false);
-  }
+  await page.locator("#download").click();
+  await page.waitForFunction(() => document.querySelector("#download").disabled === false);
   assert.doesNotMatch(await text(page, "#trouble-text"), /line \d+, column/);
+  await page.context().close();
+});
+
+test("the last meshes, their figures and the advice stay beside a fault, however long it takes to be found", async () => {
+  const page = await open();
+  await choose(page, "figure-1");
+  const rows = () => page.locator("#purposes .figures").allTextContents();
+  const [advised, curve] = [await rows(), await page.locator("#degrees button").count()];
+  assert.ok(advised.every((row) => /°/.test(row)) && curve > 1, advised.join(" | "));
+  await page.route("**/api/answer?*", async (route) => {
+    await new Promise((done) => setTimeout(done, 700));
+    await route.continue();
+  });
+  // The fault comes while a sound domain is worked on, and is told after its figures were waited for.
+  await page.evaluate(async () => {
+    const [{ apply }, { moveCorner }, { shown, state }] = await Promise.all(["asking", "domain", "state"].map((name) => import(`/page/${name}.js`)));
+    const before = shown.domain;
+    apply({ ...state.domain });
+    while (shown.domain === before) await new Promise((done) => setTimeout(done, 5));
+    apply(moveCorner(state.domain, shown.domain, { ring: 0, index: 0 }, [5, 1.5]));
+  });
+  await page.waitForFunction(() => [...document.querySelectorAll(".mesh:not([hidden]) .figures")].every((it) => it.textContent === "Working …"));
+  await answered(page);
+  assert.match(await text(page, "#trouble-text"), /cross|touch/);
+  assert.deepEqual(await rows(), advised);
+  assert.equal(await page.locator("#degrees button").count(), curve);
+  for (const caption of await figures(page)) assert.match(caption, /minimum angle [\d.]+°/);
+  assert.ok(await page.locator("#download").isVisible());
+  // Without its message they are the same, and still of another domain.
+  await page.locator("#trouble-close").click();
+  assert.match(await page.locator("#meshes").getAttribute("class"), /old/);
+  await page.locator("#undo").click();
+  await answered(page);
+  assert.doesNotMatch(await page.locator("#meshes").getAttribute("class"), /old/);
   await page.context().close();
 });
 

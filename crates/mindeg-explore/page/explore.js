@@ -7,7 +7,7 @@ import { forgetEdges, grab, handleKey, hint, startEditing, updateEditor } from "
 import { fit, fitAnew, isOff, jumpTo, looks, moveTo, readLooks, redraw, resize, setCursor, setFound, stages, zoomBy } from "./pictures.js";
 import * as server from "./server.js";
 import {
-  decidingVertices, element, showCharts, showCurveNow, showDegree, showDomain, showLimit, showMesh, showPartRefused, showRefused,
+  NAMES, decidingVertices, element, showCharts, showCurveNow, showDegree, showDomain, showLimit, showMesh, showOld, showPartRefused, showRefused,
   showSuggestions, showTrouble, showWaiting,
 } from "./show.js";
 import { Stage, view } from "./stage.js";
@@ -32,6 +32,7 @@ const take = {
     if (selection.mustFit) for (const stage of stages) stage.worst = null;
     shown.domain = domain;
     showTrouble("");
+    showOld(false);
     showDomain(domain);
     if (selection.mustFit) fitAnew();
     else if (!selection.drag && isOff(domain)) fit();
@@ -72,7 +73,10 @@ const take = {
   refused({ part, message, path }) {
     if (!part) {
       forgetEdges(true);
-      return showRefused(stages, { message, path });
+      showRefused(stages, { message, path });
+      if (shown.advice || !shown.forgotten.advice) return;
+      shown.advice = shown.forgotten.advice;
+      return showAdvice();
     }
     showPartRefused(stages, part, message);
     laterCharts();
@@ -98,11 +102,13 @@ function forgetOld() {
     const { view, figure } = stage;
     // While a corner is dragged, drafts come in turn: a caption that went between them would flicker.
     if (selection.drag || !(shown.meshes[view]?.id < progress.since)) continue;
+    shown.forgotten[view] = shown.meshes[view];
     delete shown.meshes[view];
     stage.worst = null;
     showWaiting(figure, view);
   }
   if (advised >= progress.since || !shown.advice) return;
+  shown.forgotten.advice = shown.advice;
   shown.advice = null;
   showAdvice();
 }
@@ -133,7 +139,7 @@ function showViews() {
     if (mesh) return showMesh(stage, mesh);
     showWaiting(stage.figure, stage.view);
   });
-  for (const view of Object.keys(shown.meshes)) if (!views.includes(view)) delete shown.meshes[view];
+  for (const meshes of [shown.meshes, shown.forgotten]) for (const view of Object.keys(NAMES)) if (!views.includes(view)) delete meshes[view];
   worker.postMessage({ kind: "views", views: Object.fromEntries(stages.map(({ id, view }) => [id, view])) });
   resize();
 }

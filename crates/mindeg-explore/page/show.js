@@ -67,10 +67,14 @@ export function domainTrouble({ message, path }) {
   return inWords(path && !message.includes(path) ? `${message} (at ${path})` : message);
 }
 
-/** What is wrong; nothing if there is no message. With `isOld`, the meshes are of another domain. */
-export function showTrouble(message, isOld = false) {
+/** What is wrong; nothing if there is no message. */
+export function showTrouble(message) {
   element("trouble").hidden = !message;
   element("trouble-text").textContent = message;
+}
+
+/** Whether the meshes are those of a domain before: the one that is asked about has a fault. */
+export function showOld(isOld) {
   element("meshes").classList.toggle("old", isOld);
 }
 
@@ -102,7 +106,7 @@ export function showWaiting(figure, view) {
 
 /** Of another domain nothing is known yet. */
 export function showNothing() {
-  Object.assign(shown, { meshes: {}, advice: null, curve: null, degree: null, limit: null });
+  Object.assign(shown, { meshes: {}, forgotten: {}, advice: null, curve: null, degree: null, limit: null });
   for (const figure of document.querySelectorAll("#meshes .mesh")) showWaiting(figure, figure.dataset.stage === "main" ? state.view : state.beside);
   for (const figures of document.querySelectorAll("#purposes .figures")) figures.textContent = "";
   for (const id of ["advice", "degree-words", "limit-words", "suggestions", "curve-note"]) element(id).textContent = "…";
@@ -125,15 +129,28 @@ function showNoMesh(stage, message) {
   offerDownload(stage, false);
   stage.worst = null;
   delete shown.meshes[stage.view];
+  delete shown.forgotten[stage.view];
   stage.figure.querySelector("h3").textContent = stage.view === "wanted" ? "No such mesh" : `${NAMES[stage.view]}: no mesh`;
   stage.figure.querySelector(".figures").textContent = "";
   stage.figure.querySelector(".words-of").textContent = message;
 }
 
-/** What is wrong with the whole domain. Meshes of the one before stay, and no picture waits for one. */
+/** What is wrong with the whole domain. The last meshes stay, or come back, and no picture waits for one. */
 export function showRefused(stages, line) {
-  showTrouble(domainTrouble(line), true);
-  for (const stage of stages) if (!shown.meshes[stage.view]) showNoMesh(stage, "The domain has a fault, so it has no mesh.");
+  showTrouble(domainTrouble(line));
+  showOld(true);
+  for (const stage of stages) {
+    const { view } = stage;
+    if (shown.meshes[view]) continue;
+    const mesh = shown.forgotten[view];
+    if (!mesh) {
+      showNoMesh(stage, "The domain has a fault, so it has no mesh.");
+      continue;
+    }
+    shown.meshes[view] = mesh;
+    stage.worst = mesh.worst;
+    showMesh(stage, mesh);
+  }
 }
 
 /** Why a part has no answer, where its answer would stand. */

@@ -25,8 +25,11 @@ export const state = {
  */
 export const selection = { corner: null, side: null, drag: null, mustFit: true };
 
-/** The last answers; `decides` are places that were asked for, `sourceNotes` tell what a file lost; `places` have names. */
-export const shown = { domain: null, meshes: {}, advice: null, curve: null, degree: null, limit: null, wantedDegree: null, decides: [], sourceNotes: [], places: [] };
+/**
+ * The last answers; `decides` are places that were asked for, `sourceNotes` tell what a file lost; `places` have names.
+ * `forgotten` are meshes and an advice of a domain before that are no longer told, while those of this one are looked for.
+ */
+export const shown = { domain: null, meshes: {}, forgotten: {}, advice: null, curve: null, degree: null, limit: null, wantedDegree: null, decides: [], sourceNotes: [], places: [] };
 
 /** Where domains that are as a file has them are from: `[file, place]`, the file null for that of the start, and the place in it. */
 export const origins = new WeakMap();
