@@ -335,7 +335,6 @@ test("a wrong option is told by the name of its field, and the choice of the mes
   for (const [id, value, message] of [
     ["#max-points", "0.5", "Max points: give a whole number, not 0.5"],
     ["#growth", "-1", "Growth: growth is -1"],
-    ["#interior-degree", "few", "Interior degree: give two numbers"],
   ]) {
     await set(id, value);
     assert.ok((await text(page, "#trouble-text")).startsWith(message), await text(page, "#trouble-text"));
@@ -344,9 +343,73 @@ test("a wrong option is told by the name of its field, and the choice of the mes
   await set("#max-points", "10");
   assert.equal(await page.locator("#purposes [aria-pressed=true] b").textContent(), "A solver");
   assert.match(await text(page, ".mesh.taken .words-of"), /more than 10 points/);
-  await page.fill("#condition-within", "-1");
+  await page.context().close();
+});
+
+test("a wrong number is told beside its field until it is right", async () => {
+  const page = await openNew();
+  await choose(page, "plate-with-holes");
+  const field = (name) => (name.startsWith("#") ? page.locator(name) : page.getByLabel(name, { exact: true }));
+  /** What a field is said to have wrong, as readers of the screen hear it. */
+  const wrong = async (name) => {
+    const ids = (await field(name).getAttribute("aria-describedby") ?? "").split(" ");
+    const notes = await Promise.all(ids.filter((id) => id.startsWith("wrong-")).map((id) => page.locator(`#${id}`).textContent()));
+    assert.equal(await field(name).getAttribute("aria-invalid"), notes.length ? "true" : null, name);
+    return notes.join(" ");
+  };
+  const set = async (name, value) => {
+    if (Number.isNaN(Number(value)) && await field(name).getAttribute("type") === "number") {
+      // What is no number cannot be filled in, only typed.
+      await field(name).fill("");
+      await field(name).pressSequentially("-");
+    } else await field(name).fill(value);
+    await page.keyboard.press("Enter");
+    await answered(page);
+  };
+  const first = await page.locator("#sides tbody th button").first().textContent();
+  await page.getByLabel(`Spacing of ${first}`, { exact: true }).selectOption("geometric");
+  await answered(page);
+  await page.locator("#add-size").click();
+  await page.locator(".stage").first().click({ position: { x: 60, y: 60 } });
+  await page.waitForFunction(() => document.querySelector("#inside table"));
+  await answered(page);
+  await page.locator("#next").click();
+  const before = await facts(page);
+  for (const [name, values, message, right] of [
+    [`Intervals of ${first}`, ["0", "2.5", "", "-3", "many"], /whole number, 1 or more/, null],
+    [`ratio of the spacing of ${first}`, ["0", "-1", "", "many"], /number above 0/, null],
+    ["#x", ["", "many"], /a number/, null],
+    ["#goal-keep_angle", ["0", "101", "-5", "", "many"], /percentage above 0, up to 100/, "95"],
+    ["Length of edges at size 1", ["0", "-1", ""], /length above 0/, null],
+    ["#interior-degree", ["few", "5.5", "5 to"], /two numbers/, "5 to 8"],
+  ]) {
+    const usual = right ?? await field(name).inputValue();
+    for (const value of values) {
+      await set(name, value);
+      assert.match(await wrong(name), message, `${name} = ${value}`);
+      assert.equal(await facts(page), before, `${name} = ${value}`);
+    }
+    await set(name, usual);
+    assert.equal(await wrong(name), "", name);
+  }
+  for (const [name, value, button, message, right] of [
+    ["#edge-size", "0", "#divide", /length above 0/, "1"],
+    ["#condition-within", "-1", "#condition", /0 or more/, ""],
+    ["#condition-angle", "", "#condition", /angle above 0/, "20"],
+  ]) {
+    await field(name).fill(value);
+    await page.click(button);
+    assert.match(await wrong(name), message);
+    await field(name).fill(right);
+    await page.click(button);
+    await page.waitForFunction(() => !/Working/.test(document.querySelector("#condition-words").textContent));
+    assert.equal(await wrong(name), "", name);
+  }
+  await page.evaluate(axe);
+  await field("#condition-angle").fill("");
   await page.click("#condition");
-  assert.match(await text(page, "#condition-words"), /moves by 0 or more/);
+  const { violations } = await page.evaluate(() => window.axe.run());
+  assert.deepEqual(violations.filter(({ impact }) => ["serious", "critical"].includes(impact)).map(({ id }) => id), []);
   await page.context().close();
 });
 

@@ -2,7 +2,8 @@
 // From the viewer's script: angleText, make.
 
 import { apply, ask } from "./asking.js";
-import { element, fieldName, showCurveNow, showTrouble } from "./show.js";
+import { judge, numberIn, numberOrNone } from "./fields.js";
+import { element, fieldName, showCurveNow } from "./show.js";
 import { shown, state } from "./state.js";
 
 /** What a field for a goal's value begins with. */
@@ -129,6 +130,7 @@ export function showGoal() {
   const now = typeof state.goal === "string" ? { [state.goal]: null } : state.goal;
   for (const { key, value, radio, field } of goals) {
     radio.checked = state.view === "wanted" && key in now;
+    if (field) judge(field, "");
     if (radio.checked && field) field.value = String(value === "share" ? Number((100 * now[key]).toPrecision(6)) : now[key]);
   }
   showCurveNow(chooseDegree);
@@ -146,9 +148,15 @@ export function chooseDegree(degree) {
 function readGoal() {
   const { key, value, field } = goals.find(({ radio }) => radio.checked) ?? {};
   if (!key) return;
-  const number = field?.valueAsNumber;
   if (!field) state.goal = value.word ? { [key]: value.word } : key;
-  else if (number > 0 && number <= Number(field.max || Infinity)) state.goal = { [key]: value === "share" ? number / 100 : number };
+  else {
+    const isShare = value === "share";
+    const number = isShare
+      ? numberIn(field, "Give a percentage above 0, up to 100.", (share) => share > 0 && share <= 100)
+      : numberIn(field, "Give a whole number, 1 or more.", (degree) => degree >= 1 && Number.isInteger(degree));
+    if (number === null) return;
+    state.goal = { [key]: isShare ? number / 100 : number };
+  }
   state.isTold = true;
   lookAtView("wanted");
 }
@@ -183,9 +191,8 @@ function keyField(key) {
   }
   field.addEventListener("change", () => {
     const isRange = key.value === "range";
-    if (field.validity.badInput || (isRange && field.value.trim() && !read("range", field))) {
-      return showTrouble(`${fieldName(key.name)}: give ${isRange ? "two numbers, such as 5 to 7" : "a number"}.`);
-    }
+    if (isRange && !judge(field, field.value.trim() && !read("range", field) ? "Give two numbers, such as 5 to 7." : "")) return;
+    if (field.type === "number" && numberOrNone(field, "Give a number.") === null) return;
     const { interior, ...others } = state.domain;
     const { [key.name]: _, ...kept } = interior ?? {};
     const given = read(key.value, field);
@@ -200,8 +207,8 @@ function keyField(key) {
 /** The value in a field; null if there is none. */
 function read(value, field) {
   if (value === "range") {
-    const ends = field.value.match(/\d+/g)?.slice(0, 2).map(Number);
-    return ends ? [ends[0], ends.at(-1)] : null;
+    const [, from, to = from] = field.value.match(/^\s*(\d+)(?:\s*(?:to|[-–,\s])\s*(\d+))?\s*$/) ?? [];
+    return from ? [Number(from), Number(to)] : null;
   }
   return field.value === "" ? null : value === "choice" ? field.value : field.valueAsNumber;
 }
@@ -212,5 +219,6 @@ export function showInterior() {
   for (const { name, value, field } of keys) {
     if (document.activeElement === field) continue;
     field.value = (value === "range" ? wanted[name]?.join(" to ") : wanted[name]) ?? "";
+    judge(field, "");
   }
 }

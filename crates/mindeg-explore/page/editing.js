@@ -5,6 +5,7 @@ import { apply, ask } from "./asking.js";
 import { showInterior } from "./choices.js";
 import { addCorner, addHole, addSize, corners, isKnown, moveCorner, removeCorner, removeHole, sidePlace } from "./domain.js";
 import { cornerAt, gridStep, sideAt, snapped } from "./editor.js";
+import { judge, numberIn, numberOrNone } from "./fields.js";
 import { listInside } from "./inside.js";
 import { redraw, setCursor, stages } from "./pictures.js";
 import * as server from "./server.js";
@@ -60,7 +61,9 @@ export function updateEditor() {
   for (const axis of ["x", "y"]) {
     const input = element(axis);
     input.disabled = !corner;
-    if (document.activeElement !== input || !corner) input.value = corner ? String(Number(corner[axis].toPrecision(10))) : "";
+    if (document.activeElement === input && corner) continue;
+    input.value = corner ? String(Number(corner[axis].toPrecision(10))) : "";
+    judge(input, "");
   }
   element("remove").disabled = !corner;
   updateHoles();
@@ -138,10 +141,12 @@ export function forgetEdges(isRefused) {
   if (told && (isRefused || told !== state.domain)) tellOfEdges("");
 }
 
+const isPositive = (number) => number > 0;
+
 /** Divides all sides by the length that is given. */
 async function divide() {
-  const size = element("edge-size").valueAsNumber;
-  if (!(size > 0)) return tellOfEdges("Give the length of edges first.");
+  const size = numberIn(element("edge-size"), "Give a length above 0.", isPositive);
+  if (size === null) return tellOfEdges("");
   const made = async (before) => {
     const origin = origins.get(before);
     const domain = await server.divide(before, size, origin);
@@ -176,10 +181,13 @@ function tellOfEdges(words, command = null) {
 
 /** Changes the boundary so that a mesh with points inside can have the angle. */
 async function conditionIt() {
-  const [angle, size, within] = ["condition-angle", "edge-size", "condition-within"].map((id) => element(id).valueAsNumber);
-  if (!(angle > 0)) return tellOfEdges("Give the angle above 0° first.");
-  if (element("edge-size").validity.badInput || size <= 0) return tellOfEdges("The length of edges is above 0; leave it empty for the edges as they are.");
-  if (element("condition-within").validity.badInput || within < 0) return tellOfEdges("The boundary moves by 0 or more; leave the distance empty for the usual one.");
+  const wanted = [
+    numberIn(element("condition-angle"), "Give an angle above 0°.", isPositive),
+    numberOrNone(element("edge-size"), "Give a length above 0, or none for the edges as they are.", isPositive),
+    numberOrNone(element("condition-within"), "Give a distance of 0 or more, or none for the usual one.", (number) => number >= 0),
+  ];
+  if (wanted.includes(null)) return tellOfEdges("");
+  const [angle, size, within] = wanted;
   let told;
   const isDone = await change(async (before) => {
     told = await server.condition(before, angle, size, within);
@@ -356,8 +364,8 @@ export function startEditing() {
   }
   for (const axis of ["x", "y"]) {
     element(axis).addEventListener("change", () => {
-      const [x, y] = ["x", "y"].map((id) => element(id).valueAsNumber);
-      if (selection.corner && Number.isFinite(x) && Number.isFinite(y)) {
+      const [x, y] = ["x", "y"].map((id) => numberIn(element(id), "Give a number."));
+      if (selection.corner && x !== null && y !== null) {
         apply(moveCorner(state.domain, shown.domain, selection.corner, [x, y]));
       }
     });

@@ -3,6 +3,7 @@
 
 import { apply } from "./asking.js";
 import { changeSize, sizesAtPlaces } from "./domain.js";
+import { numberIn, numberOrNone } from "./fields.js";
 import { element } from "./show.js";
 import { shown, state } from "./state.js";
 
@@ -18,6 +19,9 @@ const KINDS = {
 
 /** Where a thing inside is, to be marked. */
 const placesOf = (key, thing) => (thing.at ? [thing.at] : thing.corners ?? thing.points ?? thing.ring ?? []);
+
+const SIZE = "Give a length above 0.";
+const isPositive = (number) => number > 0;
 
 let built = "";
 
@@ -44,8 +48,8 @@ function field(key, index, name, thing, title) {
   else Object.assign(input, { type: "text", value: thing.name ?? "", placeholder: (key === "lines" && shown.domain?.lines[index]?.name) || (key === "regions" && `region ${index + 1}`) || "name" });
   input.setAttribute("aria-label", `${name} of ${title}`);
   input.addEventListener("change", () => {
-    const value = name === "hole" ? input.checked || undefined : name === "size" ? input.valueAsNumber || undefined : input.value.trim() || undefined;
-    change(key, index, name, value);
+    const value = name === "hole" ? input.checked || undefined : name === "size" ? numberOrNone(input, SIZE, isPositive) : input.value.trim() || undefined;
+    if (value !== null) change(key, index, name, value);
   });
   const label = make("label", "", name === "hole" ? "a hole " : "");
   label.append(input);
@@ -81,8 +85,8 @@ function sizeRows(mark) {
     Object.assign(input, { type: "number", min: 0, step: "any", value: size, className: "count" });
     input.setAttribute("aria-label", `Length of edges at ${title}`);
     input.addEventListener("change", () => {
-      if (input.valueAsNumber > 0) apply(changeSize(state.domain, index, input.valueAsNumber));
-      else input.value = size;
+      const wanted = numberIn(input, SIZE, isPositive);
+      if (wanted !== null) apply(changeSize(state.domain, index, wanted));
     });
     const label = make("label", "", `at ${x}, ${y}: edges of `);
     label.append(input);

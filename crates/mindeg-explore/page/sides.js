@@ -2,19 +2,22 @@
 
 import { bendSide, changeSide, firstRise, isKnown, isPoints, riseOf, sideOf } from "./domain.js";
 import { indexedSides } from "./editor.js";
+import { judge, numberIn } from "./fields.js";
 import { shown, state } from "./state.js";
 
 /** So many sides stand in the table at once. */
 const ROWS = 12;
 
-/** The spacing laws: what they are called, the name of their number in JSON, and one to begin with. */
+const POSITIVE = { wanted: "Give a number above 0.", isRight: (number) => number > 0 };
+
+/** The spacing laws: what they are called, the name of their number in JSON, one to begin with, and which are right. */
 const LAWS = {
   uniform: { title: "equal" },
-  geometric: { title: "geometric", key: "ratio", label: "ratio", first: 1.1 },
-  bump: { title: "bump", key: "ratio", label: "ratio", first: 0.5 },
-  beta: { title: "beta", key: "beta", label: "beta", first: 1.1 },
-  first_length: { title: "first length", label: "length" },
-  last_length: { title: "last length", label: "length" },
+  geometric: { title: "geometric", key: "ratio", label: "ratio", first: 1.1, ...POSITIVE },
+  bump: { title: "bump", key: "ratio", label: "ratio", first: 0.5, ...POSITIVE },
+  beta: { title: "beta", key: "beta", label: "beta", first: 1.1, wanted: "Give a number above 1, or below -1.", isRight: (number) => Math.abs(number) > 1 },
+  first_length: { title: "first length", label: "length", ...POSITIVE },
+  last_length: { title: "last length", label: "length", ...POSITIVE },
   parameters: { title: "as given" },
 };
 
@@ -116,13 +119,14 @@ export class SidesTable {
     kind.addEventListener("change", () => this.change(row.side, { kind: kind.value || undefined }));
     name.addEventListener("click", () => this.choose(row.side));
     const count = (wanted) => {
-      const intervals = Math.max(1, Math.round(wanted));
-      if (!Number.isFinite(intervals)) return;
-      const change = { intervals, size: undefined };
+      const change = { intervals: wanted, size: undefined };
       if (lawOf(now(row.side)).law === "parameters") change.spacing = undefined;
       this.change(row.side, change);
     };
-    intervals.addEventListener("change", () => count(intervals.valueAsNumber));
+    intervals.addEventListener("change", () => {
+      const wanted = numberIn(intervals, "Give a whole number, 1 or more.", (number) => number >= 1 && Number.isInteger(number));
+      if (wanted !== null) count(wanted);
+    });
     const countNow = () => now(row.side).intervals ?? row.side.intervals;
     fewer.addEventListener("click", () => count(countNow() - 1));
     more.addEventListener("click", () => count(countNow() + 1));
@@ -133,10 +137,13 @@ export class SidesTable {
     shape.addEventListener("change", () =>
       this.bend(row.side, shape.value === "arc" ? firstRise(shown.domain, row.side) : 0));
     rise.addEventListener("change", () => {
-      if (Number.isFinite(rise.valueAsNumber)) this.bend(row.side, rise.valueAsNumber);
+      const wanted = numberIn(rise, "Give a number: above 0 outwards, below 0 inwards, 0 for a straight side.");
+      if (wanted !== null) this.bend(row.side, wanted);
     });
     value.addEventListener("change", () => {
-      if (Number.isFinite(value.valueAsNumber)) this.change(row.side, { spacing: spacingOf(law.value, value.valueAsNumber) });
+      const { wanted, isRight } = LAWS[law.value];
+      const number = numberIn(value, wanted, isRight);
+      if (number !== null) this.change(row.side, { spacing: spacingOf(law.value, number) });
     });
     return row;
   }
@@ -165,7 +172,9 @@ export class SidesTable {
     row.name.textContent = side.name;
     row.name.setAttribute("aria-pressed", String(isChosen));
     const set = (input, wanted) => {
-      if (document.activeElement !== input) input.value = wanted;
+      if (document.activeElement === input) return;
+      input.value = wanted;
+      judge(input, "");
     };
     set(row.intervals, String(side.intervals));
     set(row.law, law);

@@ -33,6 +33,7 @@ pub(crate) fn named(name: &str) -> Option<File> {
         "editing.js" => script(include_str!("../page/editing.js")),
         "editor.js" => script(include_str!("../page/editor.js")),
         "explore.js" => script(include_str!("../page/explore.js")),
+        "fields.js" => script(include_str!("../page/fields.js")),
         "inside.js" => script(include_str!("../page/inside.js")),
         "names.js" => script(include_str!("../page/names.js")),
         "painter.js" => script(include_str!("../page/painter.js")),
