@@ -413,6 +413,37 @@ test("a wrong number is told beside its field until it is right", async () => {
   await page.context().close();
 });
 
+test("what is inside is listed on a phone with whole names and its buttons in one line", async () => {
+  const file = join(work, "inside.json");
+  writeFileSync(file, JSON.stringify({
+    name: "inside", rectangle: { width: 4, height: 3 }, size: 0.25,
+    lines: [{ corners: [[2, 0], [2, 2]], name: "the interface", size: 0.5 }, { corners: [[0.3, 0.3], [1, 0.3], [1, 1]], name: "a fault" }],
+    points: [{ at: [1.3, 1.7], name: "gauge" }], interior: { sizes: [[0.7, 1.512345, 0.1]] },
+  }));
+  const server = await explore(binary, file);
+  const page = await browser.newPage({ viewport: { width: 390, height: 844 } });
+  try {
+    await page.goto(server.address);
+    await page.waitForFunction(() => document.querySelectorAll("#inside tr").length === 4);
+    const rows = await page.locator("#inside tr").evaluateAll((all) => all.map((row) => {
+      const box = (it) => it.getBoundingClientRect();
+      const [show, remove] = [...row.querySelectorAll("button")].map(box);
+      const name = row.querySelector("input[type=text]");
+      const head = row.querySelector("th");
+      return {
+        isOneLine: Math.abs(show.top - remove.top) < 1,
+        isWhole: !name || name.scrollWidth <= name.clientWidth,
+        isBelow: box(head).bottom <= show.top + 1,
+        right: remove.right,
+      };
+    }));
+    for (const { isOneLine, isWhole, isBelow, right } of rows) assert.deepEqual([isOneLine, isWhole, isBelow, right <= 390], [true, true, true, true], JSON.stringify(rows));
+  } finally {
+    await page.close();
+    await server.stop();
+  }
+});
+
 test("the curve is in the first screen beside the picture", async () => {
   const page = await openNew();
   for (const name of ["boundary-layer-channel", "wing-panel"]) {
