@@ -13,6 +13,7 @@ mod angles;
 mod around;
 mod candidates;
 mod caps;
+mod cut;
 mod decision;
 mod rows;
 mod search;
@@ -23,7 +24,6 @@ use crate::problem::{Domain, Problem};
 use crate::progress::Stage;
 use crate::visibility;
 use candidates::Candidates;
-use caps::Rings;
 use mindeg_mesh::{Cancelled, Progress};
 use rows::Rows;
 pub(crate) use search::{Expected, Search};
@@ -33,7 +33,7 @@ pub use decision::{Decision, Element, Literal, Refutation, SearchedAngle};
 /// The most candidate triangles that a search takes, some 150 MB.
 pub const MAX_CANDIDATES: usize = 1_000_000;
 
-/// The most that the dynamic program round one hole takes, some 300 MB.
+/// The most that the dynamic program round one hole or two takes, some 300 MB.
 pub(crate) const MAX_AROUND: usize = 4_000_000;
 
 /// The steps of the first turn of several searches, as a divisor of all; each turn is longer by a part of the one before.
@@ -138,10 +138,11 @@ impl Cover {
         Some(Self { chord_count: faces.iter().map(|face| face.chord_count).sum(), faces })
     }
 
-    /// A triangulation of a domain with one hole that keeps the numbers of chords, if there is one, by a dynamic program over bridges
-    /// between the rings. None if the domain has not one hole, or if `steps` are too few.
+    /// A triangulation of a domain with holes that keeps the numbers of chords, if there is one, by a dynamic program over bridges
+    /// between the rings. None if the domain has no hole, or if `steps` are too few.
     ///
-    /// O(b t D^3) for b bridges at one vertex, t candidates and at most D chords at a vertex.
+    /// O(b t D^3) for one hole, b bridges at one vertex, t candidates and at most D chords at a vertex; with each more hole up to b D^2
+    /// times as long, and most often b times.
     ///
     /// # Errors
     ///
@@ -174,10 +175,7 @@ impl Cover {
     ) -> Result<Option<Option<Vec<[u32; 3]>>>, Cancelled> {
         let [face] = &self.faces[..] else { return Ok(None) };
         let stage = Stage::new(progress, "searching round the hole");
-        match Rings::new(face, &problem.next(), most_chords) {
-            Some(rings) => rings.decide(steps, &stage),
-            None => Ok(None),
-        }
+        face.decide(&problem.next(), most_chords, steps, &stage)
     }
 
     /// The number of candidate triangles.

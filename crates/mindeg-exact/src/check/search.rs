@@ -4,9 +4,9 @@
 //! A piece is the part of the polygon beyond a chord or boundary edge. To the rest it matters only by its
 //! chords at the two ends of that edge, so of each piece the least such pairs are kept.
 //!
-//! Round one hole it is made for each way to cut the domain open.
+//! Round holes it is made for each way to cut the domain open.
 //!
-//! Limits: at most two rings; O(n³) time for the chords alone, and again for each cut.
+//! Limits: O(n³) time for the chords alone, and again for each cut; with several holes for each combination of cuts.
 
 use super::CheckedOutline;
 use std::ops::Range;
@@ -15,9 +15,9 @@ use std::ops::Range;
 type Ends = Vec<[u32; 2]>;
 
 impl CheckedOutline<'_> {
-    /// Whether some triangulation of a polygon with at most one hole gives no vertex more chords than
-    /// `most_chords` says; boundary edges are no chords. None beyond `max_work` steps, and for
-    /// several holes. O(n³) steps for n vertices, more where many chords meet, and with a hole for each of up to n cuts.
+    /// Whether some triangulation of a polygon with holes gives no vertex more chords than `most_chords` says; boundary
+    /// edges are no chords. None beyond `max_work` steps. O(n³) steps for n vertices, more where many chords
+    /// meet, and with each hole for each of up to n cuts.
     ///
     /// # Example
     ///
@@ -42,17 +42,9 @@ impl CheckedOutline<'_> {
         }
         let mut left = max_work - work;
         let joins = self.joins();
-        match self.rings {
-            [_] => {
-                let polygon: Vec<u32> = (0..n as u32).collect();
-                self.is_divided(&polygon, most_chords, &joins, &mut left)
-            }
-            [outer, inner] => {
-                let rings = [outer, inner].map(|ring| ring.clone());
-                self.is_divided_around(rings, most_chords, &joins, &mut left)
-            }
-            _ => None,
-        }
+        let [outer, holes @ ..] = self.rings else { return None };
+        let polygon = outer.clone().map(|v| (v, most_chords[v as usize])).collect();
+        self.is_divided_around(polygon, holes, most_chords, &joins, &mut left)
     }
 
     /// For each pair of vertices whether it is an admissible chord.
@@ -68,33 +60,42 @@ impl CheckedOutline<'_> {
         joins
     }
 
-    /// Whether a domain with one hole has a triangulation: cut at a chord from the leftmost vertex of the hole to the outer ring, of
-    /// which each has one, it is a polygon in which both ends are twice.
+    /// Whether a polygon with holes has a triangulation: cut at a chord from the leftmost vertex of all holes to the polygon, of which
+    /// each has one, it has a hole less, and both ends are in it once more.
     fn is_divided_around(
         &self,
-        [outer, inner]: [Range<u32>; 2],
+        polygon: Vec<(u32, u32)>,
+        holes: &[Range<u32>],
         most_chords: &[u32],
         joins: &[bool],
         left: &mut u64,
     ) -> Option<bool> {
         let n = self.points.len() as u32;
-        let x = |v: &u32| self.points[*v as usize].x;
-        let start = inner.clone().min_by(|a, b| x(a).total_cmp(&x(b)))?;
-        let around = |from: u32| {
-            let after = move |v: &u32| Some(self.next(*v)).filter(|v| *v != from);
-            std::iter::successors(Some(from), after).chain([from])
+        let x = |v: u32| self.points[v as usize].x;
+        let starts = holes.iter().map(|hole| hole.clone().min_by(|&a, &b| x(a).total_cmp(&x(b))));
+        let starts = starts.collect::<Option<Vec<u32>>>()?;
+        let Some(cut) = (0..holes.len()).min_by(|&a, &b| x(starts[a]).total_cmp(&x(starts[b])))
+        else {
+            return self.is_divided(&polygon, joins, left);
         };
-        for end in outer.filter(|end| joins[(start * n + end) as usize]) {
-            let polygon: Vec<u32> = around(start).chain(around(end)).collect();
-            let places = [0, inner.len(), inner.len() + 1, polygon.len() - 1];
-            let [most, most_end] = [start, end].map(|v| most_chords[v as usize]);
+        let start = starts[cut];
+        let rest = [&holes[..cut], &holes[cut + 1..]].concat();
+        let after = |v: &u32| Some(self.next(*v)).filter(|v| *v != start);
+        let hole = std::iter::successors(Some(start), after).chain([start]);
+        let hole: Vec<(u32, u32)> = hole.map(|v| (v, most_chords[v as usize])).collect();
+        for (place, &(end, most_end)) in polygon.iter().enumerate() {
+            if !joins[(start * n + end) as usize] {
+                continue;
+            }
+            let whole = [&polygon[..=place], &hole, &polygon[place..]].concat();
+            let last = place + hole.len();
+            let most = most_chords[start as usize];
             // The cut is a chord at each.
             for (own, own_end) in (0..most).flat_map(|a| (0..most_end).map(move |b| (a, b))) {
-                let mut limits: Vec<u32> =
-                    polygon.iter().map(|&v| most_chords[v as usize]).collect();
-                let shares = [own, most - 1 - own, own_end, most_end - 1 - own_end];
-                places.iter().zip(shares).for_each(|(&place, share)| limits[place] = share);
-                if self.is_divided(&polygon, &limits, joins, left)? {
+                let mut polygon = whole.clone();
+                (polygon[place + 1].1, polygon[last].1) = (own, most - 1 - own);
+                (polygon[place].1, polygon[last + 1].1) = (own_end, most_end - 1 - own_end);
+                if self.is_divided_around(polygon, &rest, most_chords, joins, left)? {
                     return Some(true);
                 }
             }
@@ -104,14 +105,9 @@ impl CheckedOutline<'_> {
 
     /// Whether chords divide a polygon into triangles that turn left, at most so many at each corner. Where it passes a vertex twice, they
     /// cover it all the same: they all turn as it does, and it goes once round each point inside.
-    fn is_divided(
-        &self,
-        polygon: &[u32],
-        most_chords: &[u32],
-        joins: &[bool],
-        left: &mut u64,
-    ) -> Option<bool> {
+    fn is_divided(&self, polygon: &[(u32, u32)], joins: &[bool], left: &mut u64) -> Option<bool> {
         let n = polygon.len();
+        let (polygon, most_chords): (Vec<u32>, Vec<u32>) = polygon.iter().copied().unzip();
         let is_edge = |i: usize, j: usize| i + 1 == j || (i == 0 && j + 1 == n);
         let mut pieces: Vec<Ends> = vec![Vec::new(); n * n];
         for span in 1..n {

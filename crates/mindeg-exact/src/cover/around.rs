@@ -12,19 +12,15 @@
 //!          i  ----> i'    the ring of the hole, in its direction
 //! ```
 //!
-//! The vertex of the hole that is farthest in some direction has a bridge in every triangulation: of the triangle there
-//! that looks out in this direction one corner at least is beyond all of the hole. So each of its bridges is
+//! Some vertex of the hole has a bridge in every triangulation (`cut.rs`). So each of its bridges is
 //! tried as the first, with every share of the chords at its two ends before and after the turn.
 //!
 //! A state is a bridge with the chords at its ends so far; for each number at the outer end the least at the inner one.
 
 use super::caps::{NONE, Rings};
+use super::cut::Decided;
 use crate::progress::Stage;
-use glam::DVec2;
 use mindeg_mesh::Cancelled;
-
-/// A triangulation, if there is one, where that is known.
-pub(super) type Decided = Option<Option<Vec<[u32; 3]>>>;
 
 /// The first bridge of a turn, and how many chords its ends may have until the turn goes on from each, this one included.
 #[derive(Clone, Copy)]
@@ -46,12 +42,16 @@ impl Rings<'_> {
     /// The ends of a bridge, the outer one first.
     fn ends(&self, bridge: u32) -> [u32; 2] {
         let [a, b] = self.face.chords[bridge as usize];
-        if self.is_outer[a as usize] { [a, b] } else { [b, a] }
+        if self.is_outer(a) { [a, b] } else { [b, a] }
     }
 
-    /// A triangulation that keeps the numbers of chords, if there is one; none if the steps are too few to know.
-    pub(super) fn decide(&self, left: &mut u64, stage: &Stage<'_>) -> Result<Decided, Cancelled> {
-        let Some(bridges) = self.first_bridges() else { return Ok(None) };
+    /// A triangulation that keeps the numbers of chords round one hole.
+    pub(super) fn decide_around(
+        &self,
+        left: &mut u64,
+        stage: &Stage<'_>,
+    ) -> Result<Decided, Cancelled> {
+        let bridges = self.first_bridges(self.face);
         for (index, &bridge) in bridges.iter().enumerate() {
             stage.report(index as f64 / bridges.len() as f64)?;
             let ends = self.ends(bridge);
@@ -67,25 +67,6 @@ impl Rings<'_> {
             }
         }
         Ok(Some(None))
-    }
-
-    /// The bridges of the vertex of the hole that is farthest along an axis and has the fewest; one of them is in every
-    /// triangulation.
-    fn first_bridges(&self) -> Option<Vec<u32>> {
-        let inner = || (0..self.face.points.len()).filter(|&v| !self.is_outer[v]);
-        let axes = [DVec2::X, DVec2::NEG_X, DVec2::Y, DVec2::NEG_Y];
-        // A product with an axis is a coordinate.
-        let along = |v: &usize, axis: DVec2| self.face.points[*v].dot(axis);
-        let farthest = axes.map(|axis| {
-            inner().max_by(|a, b| along(a, axis).total_cmp(&along(b, axis))).map(|v| v as u32)
-        });
-        let bridges = |vertex: u32| {
-            let is_own = |bridge: &u32| {
-                !self.steps[*bridge as usize].is_empty() && self.ends(*bridge)[1] == vertex
-            };
-            (0..self.face.chords.len() as u32).filter(is_own).collect::<Vec<u32>>()
-        };
-        farthest.into_iter().flatten().map(bridges).min_by_key(Vec::len)
     }
 
     /// Whether a turn from a bridge comes back to it; none if the steps are too few. `reached` gets the way to each state.

@@ -1,4 +1,4 @@
-//! The two rings of a domain with one hole: the caps that chords of one ring cut off, and the steps between bridges.
+//! The rings of a domain: the caps that chords of one ring cut off, and with two rings the steps between bridges.
 
 use super::candidates::{Candidate, Candidates};
 
@@ -33,56 +33,61 @@ pub(super) struct Root {
 
 pub(super) struct Rings<'a> {
     pub(super) face: &'a Candidates,
+    /// For each vertex the one after it on its ring.
+    pub(super) next: &'a [u32],
     pub(super) most: &'a [u32],
-    pub(super) is_outer: Vec<bool>,
+    /// The ring of each vertex; the first is the outer one.
+    pub(super) ring_of: Vec<u32>,
     /// The index of each vertex on its ring, in the direction of the boundary.
     at: Vec<u32>,
-    pub(super) lengths: [u32; 2],
+    pub(super) lengths: Vec<u32>,
     /// One more than the largest number of chords.
     pub(super) stride: usize,
     /// The ways to divide the caps, those of the smallest first.
     pub(super) roots: Vec<Root>,
     /// For each directed chord a to b and each number of chords at a the least number at b, within the cap on the left.
     pub(super) caps: Vec<u8>,
-    /// The steps from each chord that is a bridge.
+    /// With two rings the steps from each chord that is a bridge.
     pub(super) steps: Vec<Vec<Step>>,
 }
 
 impl<'a> Rings<'a> {
-    /// None unless the domain has two rings.
-    pub(super) fn new(face: &'a Candidates, next: &[u32], most: &'a [u32]) -> Option<Self> {
+    /// None if there are no vertices, or too many chords at one.
+    pub(super) fn new(face: &'a Candidates, next: &'a [u32], most: &'a [u32]) -> Option<Self> {
         let n = face.points.len();
         let order = |a: &usize, b: &usize| {
             let [a, b] = [a, b].map(|&v| face.points[v]);
             a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y))
         };
-        let mut at = vec![u32::MAX; n];
-        let mut walk = |start: usize| {
-            let after = |vertex: &usize| Some(next[*vertex] as usize).filter(|v| *v != start);
-            let ring: Vec<usize> = std::iter::successors(Some(start), after).collect();
-            (0..).zip(&ring).for_each(|(index, &vertex)| at[vertex] = index);
-            ring
-        };
-        let outer = walk((0..n).min_by(order)?);
-        let mut is_outer = vec![false; n];
-        outer.iter().for_each(|&vertex| is_outer[vertex] = true);
-        let inner = walk(is_outer.iter().position(|is_outer| !is_outer)?);
-        if outer.len() + inner.len() != n {
-            return None;
-        }
-        let lengths = [outer, inner].map(|ring| ring.len() as u32);
         let stride = most.iter().max().map_or(0, |&most| most as usize) + 1;
         if stride >= usize::from(NONE) {
             return None;
         }
+        let (mut ring_of, mut at, mut lengths) = (vec![u32::MAX; n], vec![0; n], Vec::new());
+        for start in std::iter::once((0..n).min_by(order)?).chain(0..n) {
+            let (mut vertex, mut length) = (start, 0);
+            while ring_of[vertex] == u32::MAX {
+                (ring_of[vertex], at[vertex]) = (lengths.len() as u32, length);
+                (vertex, length) = (next[vertex] as usize, length + 1);
+            }
+            if length > 0 {
+                lengths.push(length);
+            }
+        }
         let caps = vec![NONE; 2 * face.chords.len() * stride];
         let steps = vec![Vec::new(); face.chords.len()];
-        let mut rings =
-            Self { face, most, is_outer, at, lengths, stride, roots: Vec::new(), caps, steps };
+        let roots = Vec::new();
+        let mut rings = Self { face, next, most, ring_of, at, lengths, stride, roots, caps, steps };
         rings.roots = rings.find_roots();
         rings.fill_caps();
-        rings.find_steps();
+        if rings.lengths.len() == 2 {
+            rings.find_steps();
+        }
         Some(rings)
+    }
+
+    pub(super) fn is_outer(&self, vertex: u32) -> bool {
+        self.ring_of[vertex as usize] == 0
     }
 
     pub(super) fn is_chord(&self, edge: u32) -> bool {
@@ -95,7 +100,7 @@ impl<'a> Rings<'a> {
 
     /// How far along its ring it is from one vertex to another.
     pub(super) fn along(&self, from: u32, to: u32) -> u32 {
-        let length = self.lengths[usize::from(!self.is_outer[from as usize])];
+        let length = self.lengths[self.ring_of[from as usize] as usize];
         (self.at[to as usize] + length - self.at[from as usize]) % length
     }
 
@@ -124,12 +129,11 @@ impl<'a> Rings<'a> {
         let mut roots = Vec::new();
         for (index, triangle) in (0..).zip(&self.face.triangles) {
             let [a, b, c] = triangle.corners;
-            let outer = triangle.corners.map(|v| self.is_outer[v as usize]);
-            if outer[0] != outer[1] || outer[1] != outer[2] {
+            let [ring, of_b, of_c] = triangle.corners.map(|v| self.ring_of[v as usize]);
+            if of_b != ring || of_c != ring {
                 continue;
             }
-            if self.along(a, b) + self.along(b, c) + self.along(c, a)
-                != self.lengths[usize::from(!outer[0])]
+            if self.along(a, b) + self.along(b, c) + self.along(c, a) != self.lengths[ring as usize]
             {
                 continue;
             }
@@ -184,7 +188,7 @@ impl<'a> Rings<'a> {
 
     fn find_steps(&mut self) {
         for (index, triangle) in (0..).zip(&self.face.triangles) {
-            let outer = triangle.corners.map(|v| self.is_outer[v as usize]);
+            let outer = triangle.corners.map(|v| self.is_outer(v));
             let count = outer.iter().filter(|outer| **outer).count();
             if count == 0 || count == 3 {
                 continue;

@@ -37,7 +37,7 @@ impl DegreeRange {
             let edges = mesh.boundary_edges().chain(pairs.iter().flatten().copied());
             range.raise(apex_bound(&next, edges));
         }
-        let has_one_hole = mesh.triangles.len() == problem.points().len();
+        let has_one_hole = hole_count(problem, mesh.triangles.len()) == 1;
         if has_one_hole && range.lower_bound == 4 && range.max_degree > 4 {
             if let Some(triangles) = annulus::strip(problem, mesh) {
                 range.reach(problem, triangles);
@@ -46,7 +46,7 @@ impl DegreeRange {
                 (range.lower_bound, range.bounded_by) = (5, LowerBound::NoStrip);
             }
         }
-        let most = if has_one_hole { MAX_AROUND } else { MAX_CANDIDATES };
+        let most = if can_cut(problem, &range) { MAX_AROUND } else { MAX_CANDIDATES };
         if !range.is_decided(problem)
             && let Some(cover) = Cover::of_at_most(problem, most, progress)?
         {
@@ -95,7 +95,7 @@ enum Way {
     Descend,
     /// A search for the next smaller degree, which expects a mesh.
     Mesh,
-    /// The dynamic program round one hole, at the lower bound.
+    /// The dynamic program round one hole or two, at the lower bound.
     Around,
 }
 
@@ -110,6 +110,15 @@ impl Way {
         Self::Refute,
         Self::Refute,
     ];
+}
+
+fn hole_count(problem: &Problem, triangles: usize) -> usize {
+    (triangles + 2).saturating_sub(problem.points().len()) / 2
+}
+
+/// Whether the dynamic program may be tried: for each hole but one it begins anew at each of many cuts.
+fn can_cut(problem: &Problem, range: &DegreeRange) -> bool {
+    hole_count(problem, range.triangles.len()) <= 2
 }
 
 /// Closes a gap as far as the steps suffice.
@@ -128,7 +137,9 @@ fn close(
     let mut descent: UnderWay<Descent<'_>> = None;
     let is_large = cover.candidate_count() > MAX_CANDIDATES;
     let turns: &[Way] = if is_large { &[Way::Around] } else { &Way::TURNS };
-    let mut ways = turns.iter().copied().cycle().peekable();
+    let can_cut = can_cut(problem, range);
+    let ways = turns.iter().copied().filter(|way| can_cut || *way != Way::Around);
+    let mut ways = ways.cycle().peekable();
     while let Some(&way) = ways.peek()
         && !range.is_decided(problem)
         && steps > 1
