@@ -677,3 +677,28 @@ fn maps_by_chance_reach_the_angle_within_the_distance() {
     }
     assert!(3 * reached > all, "{reached} of {all}");
 }
+
+#[test]
+fn a_shore_whose_last_point_is_dropped_beside_a_mouth_has_an_end() {
+    // Four rough islands: a change at one drops a point that ends another one's surroundings.
+    let mut state = 10_u64;
+    let mut random = || {
+        state =
+            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) as f64 / 2_f64.powi(31)
+    };
+    let mut rings =
+        vec![[[0.0, 0.0], [2e3, 0.0], [2e3, 2e3], [0.0, 2e3]].map(DVec2::from).to_vec()];
+    for island in 0..4 {
+        let center = 1e3 * DVec2::new(f64::from(island / 2) + 0.5, f64::from(island % 2) + 0.5);
+        let corner = |i: i32| {
+            let radius = 200.0 * (1.0 + 0.3 * random());
+            center + radius * DVec2::from_angle(-std::f64::consts::TAU * f64::from(i) / 24.0)
+        };
+        rings.push((0..24).map(corner).collect());
+    }
+    let boundary = PlanarBoundary::new(&rings).unwrap();
+    let demands = BoundaryDemands { within: 10.0, ..BoundaryDemands::default() };
+    let conditioned = condition(&boundary, &demands, |_| Hold::Free).unwrap();
+    assert!(conditioned.moved <= 10.0 && conditioned.rings.len() == 5);
+}

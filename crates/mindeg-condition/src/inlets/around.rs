@@ -189,6 +189,7 @@ impl Cut<'_> {
     }
 }
 
+#[derive(Clone, Copy)]
 enum Place {
     /// A vertex of the chains.
     Vertex(u32),
@@ -196,6 +197,7 @@ enum Place {
 }
 
 /// A corner of the surroundings, and the edge from there to the next one.
+#[derive(Clone, Copy)]
 struct Rim {
     place: Place,
     is_shore: bool,
@@ -271,11 +273,22 @@ fn corners(chains: &Chains, ring: &[Rim], step: Option<Step>) -> Vec<Corner> {
         Corner { at, vertex: Some(v), size }
     };
     let new = |at| Corner { at, vertex: None, size: f64::INFINITY };
-    let is_alive = |rim: &&Rim| match rim.place {
+    let is_alive = |rim: &Rim| match rim.place {
         Place::Vertex(v) => chains.vertices[v as usize].is_alive,
         Place::Point(_) => true,
     };
-    let alive: Vec<&Rim> = ring.iter().filter(is_alive).collect();
+    let first = ring.iter().position(is_alive).unwrap_or(0);
+    let mut alive: Vec<Rim> = Vec::new();
+    for rim in ring[first..].iter().chain(&ring[..first]) {
+        match alive.last_mut() {
+            // Where a point is gone, the edge before it ends at the next: a shore that ends at an edge across is one no longer.
+            Some(before) if !is_alive(rim) => {
+                before.is_shore &= rim.is_shore;
+                before.is_free |= rim.is_free;
+            }
+            _ => alive.push(*rim),
+        }
+    }
     let mut corners: Vec<Corner> = Vec::new();
     // The corners that begin edges across the domain.
     let mut across: BTreeSet<usize> = BTreeSet::new();
