@@ -6,18 +6,31 @@ use mindeg_mesh::{Cancelled, Progress};
 pub(crate) struct Stage<'a> {
     progress: Progress<'a>,
     name: String,
+    /// The shares of the whole where it begins and ends.
+    shares: [f64; 2],
 }
 
 impl<'a> Stage<'a> {
     pub(crate) fn new(progress: Progress<'a>, name: impl Into<String>) -> Self {
-        Self { progress, name: name.into() }
+        Self { progress, name: name.into(), shares: [0.0, 1.0] }
+    }
+
+    /// One of so many equal parts of the stage.
+    pub(crate) fn part(&self, index: usize, parts: usize) -> Self {
+        let shares = [index, index + 1].map(|index| self.of_whole(index as f64 / parts as f64));
+        Self { progress: self.progress, name: self.name.clone(), shares }
+    }
+
+    fn of_whole(&self, share: f64) -> f64 {
+        let [from, to] = self.shares;
+        from + share * (to - from)
     }
 
     /// Reports that this share of the stage is done, 0 to 1.
     pub(crate) fn report(&self, share: f64) -> Result<(), Cancelled> {
         /// The resolution of a report.
         const PARTS: u64 = 1000;
-        self.progress.report(&self.name, (share * PARTS as f64) as u64, PARTS)
+        self.progress.report(&self.name, (self.of_whole(share) * PARTS as f64) as u64, PARTS)
     }
 }
 
@@ -59,7 +72,9 @@ mod tests {
             [0.0, 0.25, 1.0].map(|share| stage.report(share).is_err()),
             [false, false, true]
         );
-        let expected = [0, 250, 1000].map(|done| ("counting".to_owned(), done, 1000));
+        // The second half of the third quarter.
+        assert!(stage.part(2, 4).part(1, 2).report(0.0).is_ok());
+        let expected = [0, 250, 1000, 625].map(|done| ("counting".to_owned(), done, 1000));
         assert_eq!(*steps.lock().unwrap(), expected);
     }
 

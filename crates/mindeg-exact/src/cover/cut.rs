@@ -113,7 +113,7 @@ impl Rings<'_> {
         let n = face.points.len();
         let bridges = self.first_bridges(&face);
         for (index, &bridge) in bridges.iter().enumerate() {
-            stage.report(index as f64 / bridges.len() as f64)?;
+            let stage = stage.part(index, bridges.len());
             let ends = face.chords[bridge as usize];
             // The cut is a chord at both ends.
             let [Some(room), Some(other_room)] =
@@ -122,21 +122,21 @@ impl Rings<'_> {
                 continue;
             };
             let (cut, next) = face.cut(self.next, bridge);
-            let all = [[room, room], [other_room, other_room]];
-            let shares = (0..=room).flat_map(|own| {
+            let tries = (0..=room).flat_map(|own| {
                 (0..=other_room).map(move |other| [[own, room - own], [other, other_room - other]])
             });
-            for (is_all, shares) in
-                std::iter::once((true, all)).chain(shares.map(|shares| (false, shares)))
-            {
+            let all = [[room, room], [other_room, other_room]];
+            let tries: Vec<[[u32; 2]; 2]> = std::iter::once(all).chain(tries).collect();
+            for (index, &shares) in tries.iter().enumerate() {
+                let stage = stage.part(index, tries.len());
                 let mut most = self.most.to_vec();
                 most.extend(shares.map(|[_, copy]| copy));
                 for (end, [own, _]) in ends.iter().zip(shares) {
                     most[*end as usize] = own;
                 }
-                let found = match cut.decide(&next, &most, left, stage)? {
+                let found = match cut.decide(&next, &most, left, &stage)? {
                     None => return Ok(None),
-                    Some(None) if is_all => break,
+                    Some(None) if index == 0 => break,
                     Some(None) => continue,
                     Some(Some(found)) => found,
                 };
