@@ -957,6 +957,8 @@ test("sides are divided by a length, and a boundary is conditioned, with the com
     const before = await count();
     await page.locator("#edge-size").fill("0.2");
     await page.locator("#divide").click();
+    // The sides are divided by the server: until it answers the page is that of before.
+    await page.waitForFunction(() => /^All sides get edges/.test(document.querySelector("#condition-words").textContent));
     await answered(page);
     assert.ok((await count()) > 1.5 * before / 2 && (await count()) !== before, `${before} and ${await count()}`);
   } finally {
