@@ -928,6 +928,8 @@ test("sides are divided by a length, and a boundary is conditioned, with the com
   try {
     await page.goto(server.address);
     await answered(page);
+    // A slow page has asked for nothing yet.
+    await page.waitForFunction(() => /^\d+ boundary/.test(document.querySelector("#facts").textContent));
     const count = async () => Number((await page.locator("#facts").textContent()).match(/^(\d+) boundary/)[1]);
     assert.equal(await count(), 4);
     // The numbers of the file are whole: the page writes them otherwise, and its command names the file all the same.
