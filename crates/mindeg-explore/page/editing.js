@@ -5,7 +5,7 @@ import { apply, ask } from "./asking.js";
 import { showInterior } from "./choices.js";
 import { addCorner, addHole, addSize, corners, isKnown, moveCorner, removeCorner, removeHole, sidePlace } from "./domain.js";
 import { cornerAt, gridStep, sideAt, snapped } from "./editor.js";
-import { judge, numberIn, numberOrNone } from "./fields.js";
+import { isPositive, judge, numberIn, numberOrNone } from "./fields.js";
 import { listInside } from "./inside.js";
 import { redraw, setCursor, stages } from "./pictures.js";
 import * as server from "./server.js";
@@ -140,8 +140,6 @@ let told = null;
 export function forgetEdges(isRefused) {
   if (told && (isRefused || told !== state.domain)) tellOfEdges("");
 }
-
-const isPositive = (number) => number > 0;
 
 /** Divides all sides by the length that is given. */
 async function divide() {

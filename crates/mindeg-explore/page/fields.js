@@ -4,6 +4,8 @@
 let named = 0;
 const notes = new WeakMap();
 
+export const isPositive = (number) => number > 0;
+
 /** Says beside a field what is wrong with it; with "", nothing is. Whether nothing is. */
 export function judge(field, wrong) {
   let note = notes.get(field);

@@ -3,7 +3,7 @@
 
 import { apply } from "./asking.js";
 import { changeSize, sizesAtPlaces } from "./domain.js";
-import { numberIn, numberOrNone } from "./fields.js";
+import { isPositive, numberIn, numberOrNone } from "./fields.js";
 import { element } from "./show.js";
 import { shown, state } from "./state.js";
 
@@ -21,7 +21,6 @@ const KINDS = {
 const placesOf = (key, thing) => (thing.at ? [thing.at] : thing.corners ?? thing.points ?? thing.ring ?? []);
 
 const SIZE = "Give a length above 0.";
-const isPositive = (number) => number > 0;
 
 let built = "";
 

@@ -2,13 +2,13 @@
 
 import { bendSide, changeSide, firstRise, isKnown, isPoints, riseOf, sideOf } from "./domain.js";
 import { indexedSides } from "./editor.js";
-import { judge, numberIn } from "./fields.js";
+import { isPositive, judge, numberIn } from "./fields.js";
 import { shown, state } from "./state.js";
 
 /** So many sides stand in the table at once. */
 const ROWS = 12;
 
-const POSITIVE = { wanted: "Give a number above 0.", isRight: (number) => number > 0 };
+const POSITIVE = { wanted: "Give a number above 0.", isRight: isPositive };
 
 /** The spacing laws: what they are called, the name of their number in JSON, one to begin with, and which are right. */
 const LAWS = {
@@ -128,7 +128,7 @@ export class SidesTable {
       if (wanted !== null) count(wanted);
     });
     const countNow = () => now(row.side).intervals ?? row.side.intervals;
-    fewer.addEventListener("click", () => count(countNow() - 1));
+    fewer.addEventListener("click", () => count(Math.max(1, countNow() - 1)));
     more.addEventListener("click", () => count(countNow() + 1));
     law.addEventListener("change", () => {
       const { first } = LAWS[law.value];
