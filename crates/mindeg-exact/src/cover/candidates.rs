@@ -50,7 +50,8 @@ impl Candidates {
         let points = problem.points();
         let n = points.len();
         let next = problem.next();
-        let holes = holes(points, &next);
+        let rings = rings(points, &next);
+        let holes: Vec<Ring> = rings.iter().skip(1).map(|ring| Ring::new(points, ring)).collect();
         let boundary = (0..).zip(&next).map(|(from, &to)| [from.min(to), from.max(to)]);
         let boundary: Vec<[u32; 2]> = boundary.collect();
         // In a convex problem boundary edges are no chords; elsewhere nothing sees its neighbours.
@@ -144,8 +145,8 @@ impl Candidates {
     }
 }
 
-/// The rings around holes: all but the one with the leftmost vertex.
-fn holes(points: &[DVec2], next: &[u32]) -> Vec<Ring> {
+/// The vertices of each ring in the direction of the boundary: the outer one first, which has the leftmost vertex.
+pub(super) fn rings(points: &[DVec2], next: &[u32]) -> Vec<Vec<u32>> {
     let order = |a: &usize, b: &usize| {
         let [a, b] = [a, b].map(|&v| points[v]);
         a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y))
@@ -154,25 +155,30 @@ fn holes(points: &[DVec2], next: &[u32]) -> Vec<Ring> {
     let mut is_seen = vec![false; points.len()];
     let mut rings = Vec::new();
     for start in leftmost.into_iter().chain(0..points.len()) {
-        let mut ring = Ring { some: Vec::new(), low: DVec2::INFINITY, high: DVec2::NEG_INFINITY };
+        let mut ring = Vec::new();
         let mut vertex = start;
         while !is_seen[vertex] {
             is_seen[vertex] = true;
-            ring.low = ring.low.min(points[vertex]);
-            ring.high = ring.high.max(points[vertex]);
-            if ring.some.len() < 4 {
-                ring.some.push(vertex as u32);
-            }
+            ring.push(vertex as u32);
             vertex = next[vertex] as usize;
         }
-        if !ring.some.is_empty() {
+        if !ring.is_empty() {
             rings.push(ring);
         }
     }
-    rings.split_off(1)
+    rings
 }
 
 impl Ring {
+    fn new(points: &[DVec2], ring: &[u32]) -> Self {
+        let all = || ring.iter().map(|&vertex| points[vertex as usize]);
+        Self {
+            some: ring.iter().take(4).copied().collect(),
+            low: all().fold(DVec2::INFINITY, DVec2::min),
+            high: all().fold(DVec2::NEG_INFINITY, DVec2::max),
+        }
+    }
+
     /// Whether a triangle that no edge of the ring crosses contains it.
     fn is_in(&self, points: &[DVec2], corners: [u32; 3]) -> bool {
         let [a, b, c] = corners.map(|corner| points[corner as usize]);

@@ -1,6 +1,6 @@
 //! The rings of a domain: the caps that chords of one ring cut off, and with two rings the steps between bridges.
 
-use super::candidates::{Candidate, Candidates};
+use super::candidates::{Candidate, Candidates, rings};
 
 /// No number of chords.
 pub(super) const NONE: u8 = u8::MAX;
@@ -52,28 +52,21 @@ pub(super) struct Rings<'a> {
 }
 
 impl<'a> Rings<'a> {
-    /// None if there are no vertices, or too many chords at one.
+    /// None if a vertex may have too many chords.
     pub(super) fn new(face: &'a Candidates, next: &'a [u32], most: &'a [u32]) -> Option<Self> {
-        let n = face.points.len();
-        let order = |a: &usize, b: &usize| {
-            let [a, b] = [a, b].map(|&v| face.points[v]);
-            a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y))
-        };
         let stride = most.iter().max().map_or(0, |&most| most as usize) + 1;
         if stride >= usize::from(NONE) {
             return None;
         }
-        let (mut ring_of, mut at, mut lengths) = (vec![u32::MAX; n], vec![0; n], Vec::new());
-        for start in std::iter::once((0..n).min_by(order)?).chain(0..n) {
-            let (mut vertex, mut length) = (start, 0);
-            while ring_of[vertex] == u32::MAX {
-                (ring_of[vertex], at[vertex]) = (lengths.len() as u32, length);
-                (vertex, length) = (next[vertex] as usize, length + 1);
-            }
-            if length > 0 {
-                lengths.push(length);
+        let n = face.points.len();
+        let (mut ring_of, mut at) = (vec![0; n], vec![0; n]);
+        let rings = rings(&face.points, next);
+        for (index, ring) in (0..).zip(&rings) {
+            for (along, &vertex) in (0..).zip(ring) {
+                (ring_of[vertex as usize], at[vertex as usize]) = (index, along);
             }
         }
+        let lengths = rings.iter().map(|ring| ring.len() as u32).collect();
         let caps = vec![NONE; 2 * face.chords.len() * stride];
         let steps = vec![Vec::new(); face.chords.len()];
         let roots = Vec::new();
