@@ -33,7 +33,7 @@ pub use decision::{Decision, Element, Literal, Refutation, SearchedAngle};
 /// The most candidate triangles that a search takes, some 150 MB.
 pub const MAX_CANDIDATES: usize = 1_000_000;
 
-/// The most that the dynamic program round one hole or two takes, some 300 MB.
+/// The most that the dynamic program round one hole takes, some 300 MB. With two holes it has copies, and the limit of a search.
 pub(crate) const MAX_AROUND: usize = 4_000_000;
 
 /// The steps of the first turn of several searches, as a divisor of all; each turn is longer by a part of the one before.

@@ -46,7 +46,7 @@ impl DegreeRange {
                 (range.lower_bound, range.bounded_by) = (5, LowerBound::NoStrip);
             }
         }
-        let most = if can_cut(problem, &range) { MAX_AROUND } else { MAX_CANDIDATES };
+        let most = if has_one_hole { MAX_AROUND } else { MAX_CANDIDATES };
         if !range.is_decided(problem)
             && let Some(cover) = Cover::of_at_most(problem, most, progress)?
         {
@@ -112,13 +112,9 @@ impl Way {
     ];
 }
 
+/// The holes of a domain, from the number of triangles that each of its meshes has.
 fn hole_count(problem: &Problem, triangles: usize) -> usize {
     (triangles + 2).saturating_sub(problem.points().len()) / 2
-}
-
-/// Whether the dynamic program may be tried: for each hole but one it begins anew at each of many cuts.
-fn can_cut(problem: &Problem, range: &DegreeRange) -> bool {
-    hole_count(problem, range.triangles.len()) <= 2
 }
 
 /// Closes a gap as far as the steps suffice.
@@ -137,8 +133,9 @@ fn close(
     let mut descent: UnderWay<Descent<'_>> = None;
     let is_large = cover.candidate_count() > MAX_CANDIDATES;
     let turns: &[Way] = if is_large { &[Way::Around] } else { &Way::TURNS };
-    let can_cut = can_cut(problem, range);
-    let ways = turns.iter().copied().filter(|way| can_cut || *way != Way::Around);
+    // For each hole but one the program begins anew at each of many cuts.
+    let has_few_holes = hole_count(problem, range.triangles.len()) <= 2;
+    let ways = turns.iter().copied().filter(|way| has_few_holes || *way != Way::Around);
     let mut ways = ways.cycle().peekable();
     while let Some(&way) = ways.peek()
         && !range.is_decided(problem)
