@@ -24,8 +24,6 @@ const MOST_BENT: f64 = 1e-4;
 /// A given projection whose lengths are less than half of those on the ground, or more than twice, is refused: its region is another one.
 const LEAST_SCALE: f64 = 0.5;
 const MOST_SCALE: f64 = 2.0;
-/// So is one that changes lengths by more than this factor more than that which is found for the region.
-const MOST_WORSE: f64 = 1.1;
 /// A given projection that changes lengths by more than this share is told to be a bad one here.
 const MOST_OFF: f64 = 0.02;
 
@@ -143,13 +141,9 @@ impl Outlines {
         let outer = self.features.iter().filter_map(|feature| feature.rings.first());
         let on_outer = outer.flat_map(|ring| ring.pieces.iter().map(|piece| piece.start));
         let sides = BoxSides::of(on_outer);
-        let scales_of = |projection: Projection| -> Vec<f64> {
-            let points = starts().chain(sides.inside(&self.features));
-            points.map(|at| projection.scale(at)).filter(|scale| !scale.is_nan()).collect()
-        };
-        let scales = scales_of(projection);
-        let worst =
-            |scales: &[f64]| scales.iter().map(|scale| scale.max(1.0 / scale)).fold(1.0, f64::max);
+        let scales = starts().chain(sides.inside(&self.features));
+        let scales = scales.map(|point| projection.scale(point));
+        let scales: Vec<f64> = scales.filter(|scale| !scale.is_nan()).collect();
         if let ProjectionChoice::Given(_) = choice
             && scales.iter().any(|scale| !(LEAST_SCALE..=MOST_SCALE).contains(scale))
         {
@@ -160,19 +154,6 @@ impl Outlines {
                  than twice; choose another one, or auto, which finds one",
                 projection.name()
             )));
-        }
-        if let ProjectionChoice::Given(_) = choice
-            && let Ok(Some(found)) = ProjectionChoice::Auto.of(starts())
-        {
-            let [own, best] = [worst(&scales), worst(&scales_of(found))];
-            if own > MOST_WORSE * best {
-                return Err(wrong(format!(
-                    "{} is not for a region here: it changes lengths by a factor of up to {own:.2}, {} by {best:.2} at most; \
-                     choose another one, or auto, which finds that",
-                    projection.name(),
-                    found.name()
-                )));
-            }
         }
         let scales = scales.into_iter().filter(|scale| scale.is_finite());
         let [least, most] = scales.fold([f64::INFINITY, 0.0], |[least, most], it| {
