@@ -23,7 +23,7 @@ use crate::measure::min_angle_tangent;
 use crate::problem::{Domain, Problem};
 use crate::progress::Stage;
 use crate::visibility;
-use candidates::Candidates;
+use candidates::{Candidate, Candidates};
 use mindeg_mesh::{Cancelled, Progress};
 use rows::Rows;
 pub(crate) use search::{Expected, Search};
@@ -138,7 +138,8 @@ impl Cover {
         Some(Self { chord_count: faces.iter().map(|face| face.chord_count).sum(), faces })
     }
 
-    /// A triangulation of a domain with holes that keeps the numbers of chords, if there is one, by a dynamic program over bridges
+    /// A triangulation of a domain with holes that keeps the numbers of chords and has no [`min_angle_tangent`] below
+    /// `least_tangent`, if there is one, by a dynamic program over bridges
     /// between the rings. None if the domain has no hole, or if `steps` are too few.
     ///
     /// O(b t D^3) for one hole, b bridges at one vertex, t candidates and at most D chords at a vertex; with each more hole up to b D^2
@@ -161,7 +162,7 @@ impl Cover {
     /// // The square with a square hole.
     /// let problem = Problem::triangulated(&PlanarBoundary::new(&rings)?, &ring)?;
     /// let cover = Cover::of(&problem, Progress::NONE)?.expect("the domain is small");
-    /// let decide = |most| cover.decide_around(&problem, &[most; 8], &mut 10_000, Progress::NONE);
+    /// let decide = |most| cover.decide_around(&problem, &[most; 8], 0.0, &mut 10_000, Progress::NONE);
     /// assert_eq!(decide(2)?.flatten().map(|triangles| triangles.len()), Some(8));
     /// assert_eq!(decide(1)?, Some(None));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -170,12 +171,20 @@ impl Cover {
         &self,
         problem: &Problem,
         most_chords: &[u32],
+        least_tangent: f64,
         steps: &mut u64,
         progress: Progress<'_>,
     ) -> Result<Option<Option<Vec<[u32; 3]>>>, Cancelled> {
         let [face] = &self.faces[..] else { return Ok(None) };
         let stage = Stage::new(progress, "searching round the hole");
-        face.decide(&problem.next(), most_chords, steps, &stage)
+        let next = problem.next();
+        if least_tangent <= 0.0 {
+            return face.decide(&next, most_chords, steps, &stage);
+        }
+        let is_wide = |triangle: &Candidate| {
+            min_angle_tangent(triangle.corners.map(|v| face.points[v as usize])) >= least_tangent
+        };
+        face.among(is_wide).decide(&next, most_chords, steps, &stage)
     }
 
     /// The number of candidate triangles.

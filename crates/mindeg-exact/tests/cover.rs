@@ -37,16 +37,20 @@ fn decide(
 }
 
 /// Round holes the dynamic program finds a mesh if there is one.
-fn around(domain: &Holed, problem: &Problem, most: &[u32], is_possible: bool) {
+fn around(domain: &Holed, problem: &Problem, most: &[u32], tangent: f64, is_possible: bool) {
     let cover = Cover::of(problem, Progress::NONE).unwrap().unwrap();
-    let found = cover.decide_around(problem, most, &mut u64::MAX.clone(), Progress::NONE).unwrap();
+    let mut steps = u64::MAX;
+    let found = cover.decide_around(problem, most, tangent, &mut steps, Progress::NONE).unwrap();
     assert_eq!(found.is_some(), domain.rings.len() > 1);
     let Some(found) = found else { return };
     assert_eq!(found.is_some(), is_possible, "{domain:?}, {most:?}");
-    let repeated = domain.checked(0.0).outline.has_triangulation(most, u64::MAX);
-    assert_eq!(repeated, Some(is_possible), "{domain:?}, {most:?}");
+    if tangent == 0.0 {
+        let repeated = domain.checked(0.0).outline.has_triangulation(most, u64::MAX);
+        assert_eq!(repeated, Some(is_possible), "{domain:?}, {most:?}");
+    }
     if let Some(triangles) = found {
-        let (chords, _) = domain.measured(&triangles);
+        let (chords, own) = domain.measured(&triangles);
+        assert!(own >= tangent, "{domain:?}, {most:?}, {tangent}");
         let count = domain.points.len() + 2 * domain.rings.len() - 4;
         assert_eq!(triangles.len(), count, "{domain:?}, {most:?}");
         assert!(chords.iter().zip(most).all(|(chords, most)| chords <= most), "{domain:?}");
@@ -71,7 +75,7 @@ fn random_domains_agree_with_all_triangulations() {
             let most = vec![degree - 2; n];
             let (found, proof) = decide(domain, &problem, &most, 0.0);
             assert_eq!(found, is_possible(&most, 0.0), "{domain:?}, {degree}");
-            around(domain, &problem, &most, found);
+            around(domain, &problem, &most, 0.0, found);
             if found {
                 // The proof against the smaller limit does not refute this one.
                 if let Some(proof) = proof_of_less.take() {
@@ -88,12 +92,11 @@ fn random_domains_agree_with_all_triangulations() {
             for tangent in angles {
                 let (found, _) = decide(domain, &problem, &most, tangent);
                 assert_eq!(found, is_possible(&most, tangent), "{domain:?}, {most:?}, {tangent}");
-                if tangent == 0.0 {
-                    around(domain, &problem, &most, found);
-                }
+                around(domain, &problem, &most, tangent, found);
                 let free = vec![n as u32; n];
                 let (found, _) = decide(domain, &problem, &free, tangent);
                 assert_eq!(found, is_possible(&free, tangent), "{domain:?}, {tangent}");
+                around(domain, &problem, &free, tangent, found);
             }
         }
     });

@@ -3,7 +3,7 @@
 //!
 //! Limits: those of [`Cover`], and a share of the problem's steps for each degree.
 
-use mindeg_exact::{Cover, Decision, DegreeRange, degree_range};
+use mindeg_exact::{Cover, DegreeRange, degree_range};
 use mindeg_mesh::Progress;
 
 use crate::error::MeshError;
@@ -123,13 +123,13 @@ impl<'p, 'd> Searched<'p, 'd> {
             let (known, steps) = (self.known(limit), problem.max_steps() / SHARE_OF_STEPS);
             let found =
                 self.cover.reaches_angle(problem, limit, is_enough, known, steps, self.progress)?;
-            let Decision::Mesh(faces) = found else {
-                is_exact &= matches!(found, Decision::Refuted(_));
+            let Some(Some(triangles)) = found else {
+                is_exact &= found.is_some();
                 continue;
             };
             let mut exact = self.within(limit)?;
             if !is_enough(exact.min_angle) {
-                exact = self.within_from(limit, &faces.concat())?;
+                exact = self.within_from(limit, &triangles)?;
             }
             return Ok(self.meshed(&exact, is_exact && exact.is_proven));
         }

@@ -1,14 +1,16 @@
 //! The largest minimum angle under degree limits: a search for every threshold that bisection tries.
 
-use super::Cover;
-use super::decision::{Decision, Refutation, SearchedAngle};
+use super::cut::Decided;
+use super::decision::{Decision, SearchedAngle};
+use super::{Cover, FIRST_TURN};
 use crate::measure::{self, least_tangent};
 use crate::problem::Problem;
 use mindeg_mesh::{Cancelled, Progress};
 
 impl Cover {
-    /// Whether some triangulation whose minimum angle in degrees `is_enough`, as all larger ones are, keeps the degree limits
-    /// of [`largest_angle`](Self::largest_angle), as `known` does: one question instead of all that lead to that angle.
+    /// A triangulation whose minimum angle in degrees `is_enough`, as all larger ones are, and that keeps the degree limits
+    /// of [`largest_angle`](Self::largest_angle), as `known` does, if there is one; none if `steps` are too few to know. One
+    /// question instead of all that lead to the largest angle.
     ///
     /// # Errors
     ///
@@ -19,18 +21,52 @@ impl Cover {
         max_degree: u32,
         is_enough: impl Fn(f64) -> bool,
         known: &[[u32; 3]],
-        steps: u64,
+        mut steps: u64,
         progress: Progress<'_>,
-    ) -> Result<Decision, Cancelled> {
+    ) -> Result<Option<Option<Vec<[u32; 3]>>>, Cancelled> {
         if is_enough(measure::degrees(least_tangent(problem.points(), known))) {
-            return Ok(Decision::Mesh(vec![known.to_vec()]));
+            return Ok(Some(Some(known.to_vec())));
         }
-        let refuted = Decision::Refuted(Refutation::at_once());
-        let Some(limits) = problem.degree_limits(max_degree) else { return Ok(refuted) };
+        let Some(limits) = problem.degree_limits(max_degree) else { return Ok(Some(None)) };
         let tangents = self.tangents_above(f64::NEG_INFINITY);
         let first = tangents.partition_point(|&tangent| !is_enough(measure::degrees(tangent)));
-        let Some(&tangent) = tangents.get(first) else { return Ok(refuted) };
-        self.decide(&limits.chords, &[tangent], &[known.to_vec()], steps, progress)
+        let Some(&tangent) = tangents.get(first) else { return Ok(Some(None)) };
+        self.decide_wide(problem, &limits.chords, tangent, known, &mut steps, progress)
+    }
+
+    /// A triangulation without smaller angles that keeps the numbers of chords: round one hole or two by the dynamic program,
+    /// unless clauses are soon enough.
+    fn decide_wide(
+        &self,
+        problem: &Problem,
+        most: &[u32],
+        tangent: f64,
+        known: &[[u32; 3]],
+        steps: &mut u64,
+        progress: Progress<'_>,
+    ) -> Result<Decided, Cancelled> {
+        let (tangents, start) = ([tangent], [known.to_vec()]);
+        let by_clauses = |left: &mut u64| {
+            Ok(match self.decide_within(most, &tangents, &start, left, progress)? {
+                Decision::Mesh(faces) => Some(Some(faces.concat())),
+                Decision::Refuted(_) => Some(None),
+                Decision::Unknown => None,
+            })
+        };
+        if !(1..=2).contains(&problem.hole_count()) {
+            return by_clauses(steps);
+        }
+        let mut left = *steps / FIRST_TURN;
+        *steps -= left;
+        let mut found = by_clauses(&mut left)?;
+        *steps += left;
+        if found.is_none() {
+            left = *steps / 2;
+            *steps -= left;
+            found = self.decide_around(problem, most, tangent, &mut left, progress)?;
+            *steps += left;
+        }
+        if found.is_none() { by_clauses(steps) } else { Ok(found) }
     }
 
     /// The largest minimum angle of all triangulations in which no vertex has more than `max_degree` edges,
@@ -65,19 +101,19 @@ impl Cover {
             while low < high {
                 let mut left = steps.div_ceil(2);
                 *steps -= left;
-                let (most, start) = (&limits.chords, [triangles.clone()]);
-                let tangents = [thresholds[next]];
-                let found = self.decide_within(most, &tangents, &start, &mut left, progress)?;
+                let (most, tangent) = (&limits.chords, thresholds[next]);
+                let found =
+                    self.decide_wide(problem, most, tangent, &triangles, &mut left, progress)?;
                 *steps += left;
-                let is_reached = matches!(found, Decision::Mesh(_));
+                let is_reached = matches!(found, Some(Some(_)));
                 match found {
-                    Decision::Mesh(faces) => {
-                        triangles = faces.concat();
+                    Some(Some(found)) => {
+                        triangles = found;
                         possible = least_tangent(points, &triangles);
                         low = thresholds.partition_point(|&tangent| tangent <= possible);
                     }
-                    Decision::Refuted(_) => high = next,
-                    Decision::Unknown => (high, is_largest) = (next, false),
+                    Some(None) => high = next,
+                    None => (high, is_largest) = (next, false),
                 }
                 next =
                     if is_first && is_reached { low } else { low + high.saturating_sub(low) / 2 };

@@ -114,6 +114,34 @@ impl Candidates {
 }
 
 impl Candidates {
+    /// Those of the triangles that a triangulation of these alone may have: where two of them have a chord in common, one is on
+    /// either side.
+    pub(super) fn among(&self, is_taken: impl Fn(&Candidate) -> bool) -> Self {
+        let count = self.chords.len();
+        let mut triangles = self.triangles.clone();
+        triangles.retain(is_taken);
+        loop {
+            let mut is_beside = vec![[false; 2]; count];
+            let sides = |triangle: &Candidate| {
+                let sides = triangle.edges.into_iter().zip(triangle.corners);
+                sides.filter(|(edge, _)| (*edge as usize) < count)
+            };
+            for (edge, from) in triangles.iter().flat_map(sides) {
+                let [low, _] = self.chords[edge as usize];
+                is_beside[edge as usize][usize::from(from != low)] = true;
+            }
+            let before = triangles.len();
+            triangles.retain(|triangle| {
+                sides(triangle).all(|(edge, _)| is_beside[edge as usize] == [true; 2])
+            });
+            if triangles.len() == before {
+                let (vertices, points) = (self.vertices.clone(), self.points.clone());
+                let (chords, chord_count) = (self.chords.clone(), self.chord_count);
+                return Self { vertices, points, chords, triangles, chord_count };
+            }
+        }
+    }
+
     /// The candidates of a loop in space, where every two vertices may be joined that are not excluded.
     pub(super) fn of_loop(problem: &LoopProblem, vertices: &[u32]) -> Self {
         let n = vertices.len() as u32;

@@ -37,7 +37,7 @@ impl DegreeRange {
             let edges = mesh.boundary_edges().chain(pairs.iter().flatten().copied());
             range.raise(apex_bound(&next, edges));
         }
-        let has_one_hole = hole_count(problem, mesh.triangles.len()) == 1;
+        let has_one_hole = problem.hole_count() == 1;
         if has_one_hole && range.lower_bound == 4 && range.max_degree > 4 {
             if let Some(triangles) = annulus::strip(problem, mesh) {
                 range.reach(problem, triangles);
@@ -112,11 +112,6 @@ impl Way {
     ];
 }
 
-/// The holes of a domain, from the number of triangles that each of its meshes has.
-fn hole_count(problem: &Problem, triangles: usize) -> usize {
-    (triangles + 2).saturating_sub(problem.points().len()) / 2
-}
-
 /// Closes a gap as far as the steps suffice.
 fn close(
     problem: &Problem,
@@ -134,7 +129,7 @@ fn close(
     let is_large = cover.candidate_count() > MAX_CANDIDATES;
     let turns: &[Way] = if is_large { &[Way::Around] } else { &Way::TURNS };
     // For each hole but one the program begins anew at each of many cuts.
-    let has_few_holes = hole_count(problem, range.triangles.len()) <= 2;
+    let has_few_holes = problem.hole_count() <= 2;
     let ways = turns.iter().copied().filter(|way| has_few_holes || *way != Way::Around);
     let mut ways = ways.cycle().peekable();
     while let Some(&way) = ways.peek()
@@ -150,7 +145,7 @@ fn close(
         if way == Way::Around {
             // It cannot go on where it has stopped.
             let mut left = std::mem::take(&mut around);
-            match cover.decide_around(problem, &limits.chords, &mut left, progress)? {
+            match cover.decide_around(problem, &limits.chords, 0.0, &mut left, progress)? {
                 Some(Some(triangles)) => range.reach(problem, triangles),
                 Some(None) => {
                     (range.lower_bound, range.bounded_by) = (degree + 1, LowerBound::Exhaustive);
