@@ -271,6 +271,16 @@ impl Cover {
     }
 }
 
+/// The holes of a domain, from the number of triangles that each of its meshes has.
+pub(crate) fn hole_count(problem: &Problem) -> usize {
+    match &problem.domain {
+        Domain::Convex(_) | Domain::Simple(_) => 0,
+        Domain::Rings(mesh) => {
+            (mesh.triangles.len() + 2).saturating_sub(problem.points().len()) / 2
+        }
+    }
+}
+
 /// The chords that a triangulation of a problem may have, the smaller end first, ascending; none if more than
 /// `most`.
 fn pairs(

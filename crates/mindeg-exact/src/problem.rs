@@ -314,14 +314,6 @@ impl Problem {
         }
     }
 
-    /// The holes of the domain, from the number of triangles that each of its meshes has.
-    pub(crate) fn hole_count(&self) -> usize {
-        match &self.domain {
-            Domain::Convex(_) | Domain::Simple(_) => 0,
-            Domain::Rings(mesh) => (mesh.triangles.len() + 2).saturating_sub(self.points.len()) / 2,
-        }
-    }
-
     /// Some triangulation of the points.
     pub(crate) fn triangulation(&self) -> Linked {
         match &self.domain {

@@ -5,7 +5,7 @@ use super::{DegreeRange, LowerBound, Reached, by_windows, counting_bound};
 use crate::annulus;
 use crate::apex::apex_bound;
 use crate::cover::{
-    Cover, Decision, Expected, FIRST_TURN, GROWTH, MAX_AROUND, MAX_CANDIDATES, Search,
+    Cover, Decision, Expected, FIRST_TURN, GROWTH, MAX_AROUND, MAX_CANDIDATES, Search, hole_count,
 };
 use crate::linked::Linked;
 use crate::problem::Problem;
@@ -37,7 +37,7 @@ impl DegreeRange {
             let edges = mesh.boundary_edges().chain(pairs.iter().flatten().copied());
             range.raise(apex_bound(&next, edges));
         }
-        let has_one_hole = problem.hole_count() == 1;
+        let has_one_hole = hole_count(problem) == 1;
         if has_one_hole && range.lower_bound == 4 && range.max_degree > 4 {
             if let Some(triangles) = annulus::strip(problem, mesh) {
                 range.reach(problem, triangles);
@@ -129,7 +129,7 @@ fn close(
     let is_large = cover.candidate_count() > MAX_CANDIDATES;
     let turns: &[Way] = if is_large { &[Way::Around] } else { &Way::TURNS };
     // For each hole but one the program begins anew at each of many cuts.
-    let has_few_holes = problem.hole_count() <= 2;
+    let has_few_holes = hole_count(problem) <= 2;
     let ways = turns.iter().copied().filter(|way| has_few_holes || *way != Way::Around);
     let mut ways = ways.cycle().peekable();
     while let Some(&way) = ways.peek()
