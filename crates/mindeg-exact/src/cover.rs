@@ -36,6 +36,9 @@ pub const MAX_CANDIDATES: usize = 1_000_000;
 /// The most that the dynamic program round one hole takes, some 300 MB. With two holes it has copies, and the limit of a search.
 pub(crate) const MAX_AROUND: usize = 4_000_000;
 
+/// The most holes that the program is asked round: for each but one it begins anew at each of many cuts.
+pub(crate) const MOST_HOLES: usize = 2;
+
 /// The steps of the first turn of several searches, as a divisor of all; each turn is longer by a part of the one before.
 pub(crate) const FIRST_TURN: u64 = 72;
 pub(crate) const GROWTH: u64 = 8;
@@ -139,8 +142,8 @@ impl Cover {
     }
 
     /// A triangulation of a domain with holes that keeps the numbers of chords and has no [`min_angle_tangent`] below
-    /// `least_tangent`, if there is one, by a dynamic program over bridges
-    /// between the rings. None if the domain has no hole, or if `steps` are too few.
+    /// `least_tangent`, if there is one, by a dynamic program over bridges between the rings. None if the domain has no
+    /// hole, or if `steps` are too few.
     ///
     /// O(b t D^3) for one hole, b bridges at one vertex, t candidates and at most D chords at a vertex; with each more hole up to b D^2
     /// times as long, and most often b times.

@@ -2,7 +2,7 @@
 
 use super::cut::Decided;
 use super::decision::{Decision, SearchedAngle};
-use super::{Cover, FIRST_TURN, hole_count};
+use super::{Cover, FIRST_TURN, MOST_HOLES, hole_count};
 use crate::measure::{self, least_tangent};
 use crate::problem::Problem;
 use mindeg_mesh::{Cancelled, Progress};
@@ -53,7 +53,7 @@ impl Cover {
                 Decision::Unknown => None,
             })
         };
-        if !(1..=2).contains(&hole_count(problem)) {
+        if !(1..=MOST_HOLES).contains(&hole_count(problem)) {
             return by_clauses(steps);
         }
         let mut left = *steps / FIRST_TURN;

@@ -114,30 +114,38 @@ impl Candidates {
 }
 
 impl Candidates {
-    /// Those of the triangles that a triangulation of these alone may have: where two of them have a chord in common, one is on
-    /// either side.
+    /// The face with some of its triangles alone, as far as these may be in a triangulation.
     pub(super) fn among(&self, is_taken: impl Fn(&Candidate) -> bool) -> Self {
-        let count = self.chords.len();
-        let mut triangles = self.triangles.clone();
-        triangles.retain(is_taken);
+        let triangles = self.triangles.iter().filter(|triangle| is_taken(triangle)).copied();
+        let face = Self {
+            vertices: self.vertices.clone(),
+            points: self.points.clone(),
+            chords: self.chords.clone(),
+            triangles: triangles.collect(),
+            chord_count: self.chord_count,
+        };
+        face.pruned()
+    }
+
+    /// Without the triangles at a chord that has none on its other side, until there is none.
+    pub(super) fn pruned(mut self) -> Self {
+        let (chords, count) = (&self.chords, self.chords.len());
+        let sides = |triangle: &Candidate| {
+            let sides = triangle.edges.into_iter().zip(triangle.corners);
+            sides.filter(|(edge, _)| (*edge as usize) < count)
+        };
         loop {
             let mut is_beside = vec![[false; 2]; count];
-            let sides = |triangle: &Candidate| {
-                let sides = triangle.edges.into_iter().zip(triangle.corners);
-                sides.filter(|(edge, _)| (*edge as usize) < count)
-            };
-            for (edge, from) in triangles.iter().flat_map(sides) {
-                let [low, _] = self.chords[edge as usize];
+            for (edge, from) in self.triangles.iter().flat_map(sides) {
+                let [low, _] = chords[edge as usize];
                 is_beside[edge as usize][usize::from(from != low)] = true;
             }
-            let before = triangles.len();
-            triangles.retain(|triangle| {
+            let before = self.triangles.len();
+            self.triangles.retain(|triangle| {
                 sides(triangle).all(|(edge, _)| is_beside[edge as usize] == [true; 2])
             });
-            if triangles.len() == before {
-                let (vertices, points) = (self.vertices.clone(), self.points.clone());
-                let (chords, chord_count) = (self.chords.clone(), self.chord_count);
-                return Self { vertices, points, chords, triangles, chord_count };
+            if self.triangles.len() == before {
+                return self;
             }
         }
     }

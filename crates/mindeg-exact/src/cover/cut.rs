@@ -43,8 +43,9 @@ impl Candidates {
         }
     }
 
-    /// The face cut along a chord between two rings. Each end is there twice: under its own number with what is on the right
-    /// of the chord that leaves it, and under one of the two numbers after all others with what is on the left.
+    /// The face cut along a chord between two rings, with the triangles that may be left. Each end is there twice: under its own
+    /// number with what is on the right of the chord that leaves it, and under one of the two numbers after all others with what
+    /// is on the left.
     fn cut(&self, next: &[u32], chord: u32) -> (Self, Vec<u32>) {
         let n = self.points.len() as u32;
         let ends = self.chords[chord as usize];
@@ -102,7 +103,7 @@ impl Candidates {
             triangles: self.triangles.iter().filter_map(triangle).collect(),
             chord_count: self.chord_count - 1,
         };
-        (face, after)
+        (face.pruned(), after)
     }
 }
 
@@ -122,7 +123,6 @@ impl Rings<'_> {
                 continue;
             };
             let (cut, next) = face.cut(self.next, bridge);
-            let cut = cut.among(|_| true);
             let tries = (0..=room).flat_map(|own| {
                 (0..=other_room).map(move |other| [[own, room - own], [other, other_room - other]])
             });

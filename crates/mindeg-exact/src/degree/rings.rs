@@ -5,7 +5,8 @@ use super::{DegreeRange, LowerBound, Reached, by_windows, counting_bound};
 use crate::annulus;
 use crate::apex::apex_bound;
 use crate::cover::{
-    Cover, Decision, Expected, FIRST_TURN, GROWTH, MAX_AROUND, MAX_CANDIDATES, Search, hole_count,
+    Cover, Decision, Expected, FIRST_TURN, GROWTH, MAX_AROUND, MAX_CANDIDATES, MOST_HOLES, Search,
+    hole_count,
 };
 use crate::linked::Linked;
 use crate::problem::Problem;
@@ -128,8 +129,7 @@ fn close(
     let mut descent: UnderWay<Descent<'_>> = None;
     let is_large = cover.candidate_count() > MAX_CANDIDATES;
     let turns: &[Way] = if is_large { &[Way::Around] } else { &Way::TURNS };
-    // For each hole but one the program begins anew at each of many cuts.
-    let has_few_holes = hole_count(problem) <= 2;
+    let has_few_holes = hole_count(problem) <= MOST_HOLES;
     let ways = turns.iter().copied().filter(|way| has_few_holes || *way != Way::Around);
     let mut ways = ways.cycle().peekable();
     while let Some(&way) = ways.peek()
