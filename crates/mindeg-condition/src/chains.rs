@@ -4,7 +4,7 @@
 //! place; these stay.
 
 use crate::changes::{BoundaryChange, ChangeKind, Point, Why};
-use crate::demands::{BoundaryDemands, Hold};
+use crate::demands::{BoundaryDemands, Given, Hold};
 use crate::grid::Grid;
 use glam::DVec2;
 use mindeg_mesh::planar::PlanarBoundary;
@@ -57,13 +57,15 @@ pub(crate) struct Chains {
 }
 
 impl Chains {
-    /// The chains of a boundary. `hold`, `has_domain` and `is_straight` tell of edges, and of their first vertices.
+    /// The chains of a boundary.
     pub(crate) fn new(
         boundary: &PlanarBoundary,
-        hold: impl Fn(u32) -> Hold,
-        has_domain: impl Fn(u32) -> [bool; 2],
-        is_straight: impl Fn(u32) -> bool,
-        marks: &[DVec2],
+        Given { hold, has_domain, is_straight, marks }: &Given<
+            '_,
+            impl Fn(u32) -> Hold,
+            impl Fn(u32) -> [bool; 2],
+            impl Fn(u32) -> bool,
+        >,
         least_triangles: u32,
     ) -> Self {
         let mut vertices: Vec<Vertex> = Vec::with_capacity(boundary.edge_count() as usize);

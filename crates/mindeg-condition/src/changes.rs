@@ -13,6 +13,28 @@ pub struct Point {
     pub edge: u32,
 }
 
+/// A conditioned boundary.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Conditioned {
+    /// The new rings; the first is the outer one, as before.
+    pub rings: Vec<Vec<Point>>,
+    /// The new lines, in their order. One that was closed does not have its first point again.
+    pub lines: Vec<Vec<Point>>,
+    /// All changes, in the order in which they were made.
+    pub changes: Vec<BoundaryChange>,
+    /// The places that stay below the demanded angle.
+    pub left: Vec<Left>,
+    /// The places that are narrower than the least width, and stay.
+    pub narrow: Vec<Narrow>,
+    /// The limit of the old boundary, in degrees.
+    pub before: f64,
+    /// The limit of the new boundary, in degrees.
+    pub after: f64,
+    /// The greatest distance of a dropped point from the new boundary, which bounds the distance of both boundaries from each
+    /// other, but where something narrow was closed or cut off, or a hole dropped.
+    pub moved: f64,
+}
+
 /// One change of a boundary.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BoundaryChange {

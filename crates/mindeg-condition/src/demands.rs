@@ -1,6 +1,7 @@
 //! The demands on a boundary.
 
 use crate::error::ConditionError;
+use glam::DVec2;
 
 /// The least growth: below it, edges beside one that was halved would have to be halved, too, and so on.
 pub const LEAST_GROWTH: f64 = 0.35;
@@ -21,6 +22,14 @@ pub enum Hold {
     Point,
     /// Its point stays, and its edge to the next vertex is not divided.
     Edge,
+}
+
+/// What is told of the edges of a boundary, and points that no change takes to the other side of one.
+pub(crate) struct Given<'a, H, D, S> {
+    pub(crate) hold: H,
+    pub(crate) has_domain: D,
+    pub(crate) is_straight: S,
+    pub(crate) marks: &'a [DVec2],
 }
 
 /// The demands on a boundary.

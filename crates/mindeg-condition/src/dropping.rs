@@ -11,14 +11,10 @@ use std::collections::{BinaryHeap, VecDeque};
 const LONGEST: f64 = 4.0 / 3.0;
 
 impl Chains {
-    /// Drops points: with a size, those that are nearest to their neighbours' line first; then those at vertices
-    /// whose limit is too small.
+    /// Drops points at vertices whose limit is too small.
     pub(crate) fn simplify(&mut self, demands: &BoundaryDemands) {
         if demands.within == 0.0 {
             return;
-        }
-        if let Some(size) = demands.size {
-            self.thin(demands, size * LONGEST);
         }
         let is_bad = |chains: &Self, v: u32| chains.limit(v) < demands.angle;
         let mut queue: VecDeque<u32> = self.alive().filter(|v| is_bad(self, *v)).collect();
@@ -37,8 +33,10 @@ impl Chains {
         }
     }
 
-    /// Drops the points that are nearest to their neighbours' line, as long as no edge gets longer than `longest`.
-    fn thin(&mut self, demands: &BoundaryDemands, longest: f64) {
+    /// With a size, drops the points that are nearest to their neighbours' line, as long as no edge gets too long for it.
+    pub(crate) fn thin(&mut self, demands: &BoundaryDemands) {
+        let Some(size) = demands.size.filter(|_| demands.within > 0.0) else { return };
+        let longest = size * LONGEST;
         // Distances are not negative, so their bits have their order.
         let entry = |chains: &Self, vertex: u32| {
             let [u, w] = [chains.previous(vertex), chains.next(vertex)];

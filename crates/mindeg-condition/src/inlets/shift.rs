@@ -16,13 +16,9 @@ impl Chains {
         if self.is_on_straight(vertex) {
             return None;
         }
-        // A point that was put on an edge is as far from the old boundary as that edge.
-        let off = match own.point.of {
-            Some(_) => 0.0,
-            None => own.off,
-        };
-        // A hair less, so that no rounding takes it farther.
-        let reach = (demands.within - off) * (1.0 - 1e-9);
+        // A point that was put on an edge is as far from the old boundary as that edge. A hair less, so that no rounding takes it
+        // farther.
+        let reach = (demands.within - own.off) * (1.0 - 1e-9);
         (reach > 0.0).then_some((own.home.unwrap_or(own.point.at), reach))
     }
 
