@@ -231,13 +231,14 @@ pub(crate) fn opened(
     let input = Input::of(path);
     let name = input.name();
     let division = Division { corner_angle: options.corner_angle, size };
-    let OutlineOptions { project, repair, separate, snap, fill_rule, .. } = *options;
+    let OutlineOptions { sea_in, project, repair, separate, snap, fill_rule, .. } = *options;
     let selection = Selection { layer: options.layer.clone(), name_by: options.name_by.clone() };
     let (repair, parts_holes) = (repair || options.mends.is_some(), options.mends);
     let feature = options.feature.clone();
     let read = ReadOptions {
         feature,
         selection,
+        sea_in: sea_in.map(|[x, y, right, top]| [[x, y].into(), [right, top].into()]),
         project,
         repair,
         parts_holes,

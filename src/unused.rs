@@ -38,7 +38,16 @@ struct Group {
 const GROUPS: [Group; 8] = [
     Group {
         commands: &[],
-        options: &["feature", "layer", "name_by", "project", "snap", "fill_rule", "corner_angle"],
+        options: &[
+            "feature",
+            "layer",
+            "name_by",
+            "sea_in",
+            "project",
+            "snap",
+            "fill_rule",
+            "corner_angle",
+        ],
         takers: &[Polygons],
         purpose: "outlines such as GeoJSON or SVG",
     },

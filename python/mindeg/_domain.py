@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from . import _mindeg
@@ -13,8 +13,6 @@ from ._options import MeshOptions, ReadingOptions, separated, shows_its_options,
 from ._plain import number, plain, whole_number
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
-
     import numpy as np
     import numpy.typing as npt
     from typing_extensions import Self, Unpack
@@ -39,7 +37,8 @@ class Domain(_mindeg._Domain):
 
     ``feature`` is the name or the number, from 1, of one polygon of several; several that share edges and hang together
     are the regions of one domain, called after the property or column ``name_by``. ``layer`` chooses an object of
-    a TopoJSON or a layer of a DXF. ``repair`` makes polygons of rings that cross or touch, by the ``fill_rule`` "evenodd" or
+    a TopoJSON or a layer of a DXF. ``sea_in`` is a box (west, south, east, north): the largest part of it that no polygon
+    covers is the domain, the sea between lands. ``repair`` makes polygons of rings that cross or touch, by the ``fill_rule`` "evenodd" or
     "nonzero", and mends borders between polygons; ``snap`` is how near points become one. ``project`` makes metres of degrees of
     longitude and latitude: "auto", "utm", "laea", "stereographic" or "EPSG:N"; "none" takes them as planar.
 
@@ -297,6 +296,7 @@ _READING = {
     "called": "the outline",
     "layer": None,
     "name_by": None,
+    "sea_in": None,
     "corner_angle": 30.0,
     "size": None,
     "feature": None,
@@ -319,6 +319,11 @@ def _read_as(key, given):
         return number(given, key)
     if key == "feature":
         return str(given)
+    if key == "sea_in":
+        corners = list(given) if isinstance(given, Iterable) and not isinstance(given, str) else []
+        if len(corners) != 4:
+            raise ValueError(f"sea_in is {given!r}; give west, south, east and north")
+        return [number(corner, key) for corner in corners]
     is_repair = key == "repair"
     if not isinstance(given, bool if is_repair else str):
         raise TypeError(f"{key} is {given!r}; give {'True or False' if is_repair else 'a text'}")

@@ -57,6 +57,7 @@ class ReadingOptions(TypedDict, total=False):
     feature: str | int | None
     layer: str | None
     name_by: str | None
+    sea_in: tuple[float, float, float, float] | None
     repair: bool | None
     snap: float | None
     fill_rule: Literal["evenodd", "nonzero"] | None

@@ -170,6 +170,11 @@ def test_points_and_polygons_are_divided_and_repaired_like_files():
     assert len(mindeg.Domain(star, repair=True, fill_rule="nonzero").points) == 10
     assert "5 polygons" in refusal(lambda: mindeg.Domain(star, repair=True, fill_rule="evenodd"))
     assert "fill_rule" in refusal(lambda: mindeg.Domain(star, fill_rule="evenodd"))
+    # The sea between a land and an island, and what is no box.
+    lands = shapely.MultiPolygon([shapely.box(-1, -1, 1, 5), shapely.box(2, 1, 3, 2)])
+    assert len(mindeg.Domain(lands, sea_in=(0, 0, 4, 3)).points) == 8
+    assert "give west, south, east and north" in refusal(lambda: mindeg.Domain(lands, sea_in=(0, 0, 4)))
+    assert "lower left corner first" in refusal(lambda: mindeg.Domain(lands, sea_in=(4, 0, 0, 3)))
     two = shapely.MultiPolygon([plate, shapely.box(10, 0, 11, 1)])
     assert "2 polygons; choose one with feature" in refusal(lambda: mindeg.Domain(two))
     assert len(mindeg.Domain(two, feature=2).points) == 4

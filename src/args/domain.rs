@@ -1,6 +1,8 @@
 //! The options that describe a domain.
 
-use super::values::{Corners, IntervalCounts, Length, RectangleSize, angle, length_with_unit};
+use super::values::{
+    Corners, IntervalCounts, Length, RectangleSize, angle, box_corners, length_with_unit,
+};
 use clap::parser::ValueSource;
 use clap::{ArgMatches, Args};
 use mindeg::Spacing;
@@ -103,10 +105,13 @@ pub(crate) struct OutlineOptions {
     #[arg(long, value_name = "LAYER", requires = "domain")]
     pub(crate) layer: Option<String>,
 
-    /// The property that names the polygons of GeoJSON and TopoJSON, instead of name or id; layer makes those of
-    /// each layer of a DXF regions of its name
+    /// The property that names polygons, not name or id; layer makes regions of layers of DXF
     #[arg(long, value_name = "PROPERTY", requires = "domain")]
     pub(crate) name_by: Option<String>,
+
+    /// The sea between lands: the largest part of this box that no polygon covers
+    #[arg(long, value_name = "W,S,E,N", value_parser = box_corners, requires = "domain", allow_hyphen_values = true)]
+    pub(crate) sea_in: Option<[f64; 4]>,
 
     /// Make metres of longitudes and latitudes: auto, utm, laea, stereographic, EPSG:N or a definition of PROJ's such as
     /// "+proj=utm +zone=35"; none takes degrees as planar. The domain remembers it, until none: formats in degrees get
@@ -114,8 +119,7 @@ pub(crate) struct OutlineOptions {
     #[arg(long, value_name = "PROJECTION", requires = "domain", allow_hyphen_values = true)]
     pub(crate) project: Option<ProjectionChoice>,
 
-    /// Turn rings that cross or touch into polygons that do not, drop what bounds no area, and give lines inside that
-    /// cross a point there
+    /// Part rings that cross or touch, drop what has no area, give crossing lines a point there
     #[arg(long, requires = "domain")]
     pub(crate) repair: bool,
 

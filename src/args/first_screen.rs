@@ -15,7 +15,7 @@ const OF_MESH: &Groups = &[
 ];
 
 /// Options that `-h` hides in all other commands: few users need them, and `--help` shows them.
-const HIDDEN: [&str; 26] = [
+const HIDDEN: [&str; 27] = [
     "feature",
     "proof",
     "format",
@@ -28,6 +28,7 @@ const HIDDEN: [&str; 26] = [
     "floor",
     "layer",
     "name_by",
+    "sea_in",
     "snap",
     "fill_rule",
     "corner_angle",

@@ -61,6 +61,15 @@ pub(crate) fn point(text: &str) -> Option<[f64; 2]> {
     Some([x.trim().parse().ok()?, y.trim().parse().ok()?])
 }
 
+/// The lower left and the upper right corner of a box, such as `22.5,35.5,28,40.5`.
+pub(super) fn box_corners(text: &str) -> Result<[f64; 4], String> {
+    let numbers = text.split(',').map(|word| word.trim().parse().ok());
+    let numbers: Option<Vec<f64>> = numbers.collect();
+    let corners = numbers.and_then(|numbers| <[f64; 4]>::try_from(numbers).ok());
+    let corners = corners.filter(|[x, y, right, top]| x < right && y < top);
+    corners.ok_or_else(|| "give west,south,east,north, such as 22.5,35.5,28,40.5".to_owned())
+}
+
 /// A list of interval counts, one for each side.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct IntervalCounts(pub(crate) Vec<u64>);

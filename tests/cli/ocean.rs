@@ -217,6 +217,40 @@ fn a_coast_in_degrees_becomes_a_grid_with_open_water_islands_and_depths() {
     assert!(metres.points.iter().all(|point| point[0] > 6e5 && point[1] > 4e6));
 }
 
+/// Land in the west, and an island: the rest of a box is the sea, as with any program that clips.
+#[test]
+fn the_sea_of_a_box_needs_no_other_program() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = |name: &str| folder.path().join(name).display().to_string();
+    let land = r#"{"type": "MultiPolygon", "coordinates": [
+        [[[20, 35], [23.5, 35], [23.4, 37.6], [23.6, 40], [20, 40], [20, 35]]],
+        [[[24.1, 37.4], [24.3, 37.5], [24.2, 37.7], [24.1, 37.4]]]]}"#;
+    let conditioned =
+        ["condition", "-", "--sea-in", "23,37,25,38", "--project", "auto", "--size", "9km"];
+    let run =
+        mindeg_reading([&conditioned[..], &["-o", &at("sea.json")]].concat(), land.as_bytes());
+    assert_eq!(run.code, Some(0), "{run:?}");
+    let run =
+        mindeg(["mesh", &at("sea.json"), "--interior", "--open", "east", "-o", &at("sea.14")]);
+    assert_eq!(run.code, Some(0), "{run:?}");
+    let Fort14 { points, open, closed, .. } = fort14(Path::new(&at("sea.14")));
+    let islands = closed.iter().filter(|segment| segment.0 == 1).count();
+    assert_eq!((open.len(), islands), (1, 1));
+    assert!(open[0].iter().all(|node| (points[*node][0] - 25.0).abs() < 2e-3), "{open:?}");
+    let west = points.iter().map(|point| point[0]).fold(f64::INFINITY, f64::min);
+    assert!((23.35..23.45).contains(&west), "{west}");
+    let run = mindeg_reading(["condition", "-", "--sea-in", "21,37,22,38"], land.as_bytes());
+    assert!(
+        run.errors.contains("the box from (21.0, 37.0) to (22.0, 38.0): polygons cover it"),
+        "{run:?}"
+    );
+    for corners in ["23,37,25", "25,37,23,38", "a,b,c,d"] {
+        let run = mindeg_reading(["condition", "-", "--sea-in", corners], land.as_bytes());
+        assert_eq!(run.code, Some(2), "{run:?}");
+        assert!(run.errors.contains("give west,south,east,north"), "{run:?}");
+    }
+}
+
 #[test]
 fn grids_of_other_programs_are_refused_with_a_way_in() {
     let folder = tempfile::tempdir().expect("a folder");

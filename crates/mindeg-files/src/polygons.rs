@@ -19,6 +19,8 @@ pub struct ReadOptions {
     pub feature: Option<String>,
     /// The layer that is taken, and the property that names polygons.
     pub selection: Selection,
+    /// Two corners of a box: the part of it that no polygon covers is taken in place of the polygons.
+    pub sea_in: Option<[DVec2; 2]>,
     /// How degrees of longitude and latitude become metres; without it they are planar coordinates, which a note says.
     pub project: Option<ProjectionChoice>,
     /// Whether rings that touch or cross themselves are parted.
@@ -86,6 +88,9 @@ impl PolygonFile {
     ) -> Result<Self, FileError> {
         let wrong = |error: OutlineError| FileError::wrong(error.to_string());
         let mut outlines = outlines.map_err(wrong)?;
+        if let Some(corners) = options.sea_in {
+            outlines = outlines.sea_in(corners).map_err(wrong)?;
+        }
         let is_in_degrees = options.project.is_none() && outlines.is_in_degrees();
         let mut projection = None;
         if let Some(choice) = options.project {

@@ -47,6 +47,7 @@ mod overlay;
 mod periodic;
 mod poly;
 mod repair;
+mod sea;
 mod selection;
 mod sides;
 mod svg;

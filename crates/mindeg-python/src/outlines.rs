@@ -34,6 +34,7 @@ pub(crate) struct Given {
     called: String,
     layer: Option<String>,
     name_by: Option<String>,
+    sea_in: Option<[f64; 4]>,
     corner_angle: f64,
     size: Option<f64>,
     feature: Option<String>,
@@ -81,6 +82,7 @@ impl Given {
             snap,
             fill_rule,
             parts_holes: None,
+            sea_in: self.sea_in.map(|[x, y, right, top]| [[x, y].into(), [right, top].into()]),
             division: Division { corner_angle, size },
         })
     }
@@ -88,7 +90,10 @@ impl Given {
     /// Whether something is given that is not for a domain in JSON.
     fn is_for_outlines(&self) -> bool {
         let texts = [&self.layer, &self.name_by, &self.feature, &self.project];
-        self.repair || self.size.is_some() || texts.into_iter().any(Option::is_some)
+        self.repair
+            || self.size.is_some()
+            || self.sea_in.is_some()
+            || texts.into_iter().any(Option::is_some)
     }
 }
 
@@ -297,7 +302,7 @@ fn refuse_points(points: &[InnerPoint]) -> PyResult<()> {
 /// Why an option has no meaning for a domain in JSON.
 fn for_outlines(input: &Input<'_>) -> String {
     format!(
-        "{}: size, feature, layer, name_by and repair are for outlines such as GeoJSON or SVG; this is a domain in \
+        "{}: size, feature, layer, name_by, sea_in and repair are for outlines such as GeoJSON or SVG; this is a domain in \
          JSON",
         input.name()
     )

@@ -1,0 +1,148 @@
+//! The sea between lands: what polygons leave of a box.
+
+use glam::DVec2;
+use mindeg_mesh::Bounds;
+use std::iter::once;
+
+use super::outline::{DrawnRing, Feature, FillRule, Outlines};
+use super::overlay::{Layer, overlay};
+use super::text::{counted, shown};
+use crate::error::OutlineError;
+
+/// The meridian where polygons of longitudes and latitudes end, and the pole.
+const ENDS: DVec2 = DVec2::new(180.0, 90.0);
+
+impl Outlines {
+    /// The largest part of a box that no polygon covers: the sea, if they are lands. The box has two corners, the lower left one
+    /// first. A note tells what else of the box is left.
+    ///
+    /// # Errors
+    ///
+    /// A box without an area, beyond the ends of degrees, or covered by polygons; rings too near each other to be told apart in some
+    /// seconds.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use mindeg_outlines::{OutlineFormat, read};
+    ///
+    /// // Land to the left, and an island.
+    /// let land = b"MULTIPOLYGON(((-9 -9, 2 -9, 2 9, -9 9, -9 -9)), ((4 1, 5 1, 5 2, 4 1)))";
+    /// let alone = |_: &str| Err(std::io::ErrorKind::NotFound.into());
+    /// let sea = read(land, OutlineFormat::Wkt, alone)?.sea_in([[0.0, 0.0], [8.0, 3.0]].map(Into::into))?;
+    /// assert_eq!(sea.features.len(), 1);
+    /// let doubled: Vec<f64> = sea.features[0].rings.iter().map(|ring| ring.doubled_area().abs()).collect();
+    /// assert_eq!(doubled, [36.0, 1.0]);
+    /// # Ok::<(), mindeg_outlines::OutlineError>(())
+    /// ```
+    pub fn sea_in(mut self, [low, high]: [DVec2; 2]) -> Result<Self, OutlineError> {
+        let bad = |problem: String| {
+            OutlineError::place(format!("the box from {} to {}", shown(low), shown(high)), problem)
+        };
+        if !(low.cmplt(high).all() && low.is_finite() && high.is_finite()) {
+            return Err(bad(
+                "give its lower left corner first, then its upper right one".to_owned()
+            ));
+        }
+        if self.is_geographic && (low.cmplt(-ENDS).any() || high.cmpgt(ENDS).any()) {
+            return Err(bad(
+                "degrees end at ±180 and ±90, and so do the polygons: keep within".to_owned()
+            ));
+        }
+        let is_near = |feature: &&Feature| {
+            let points = feature.rings.iter().flat_map(DrawnRing::flattened);
+            Bounds::of(points)
+                .is_some_and(|own| own.min.cmplt(high).all() && own.max.cmpgt(low).all())
+        };
+        let corners = [low, DVec2::new(high.x, low.y), high, DVec2::new(low.x, high.y)];
+        let rim = DrawnRing::of_points(corners);
+        let rule = FillRule::EvenOdd;
+        let lands = self.features.iter().filter(is_near);
+        let lands = lands.map(|land| Layer { rings: land.rings.iter().collect(), rule });
+        let layers: Vec<Layer<'_>> = once(Layer { rings: vec![&rim], rule }).chain(lands).collect();
+        let is_sea = |counted: &[bool]| counted[0] && !counted[1..].contains(&true);
+        let parts = overlay(&layers, is_sea).map_err(bad)?.polygons;
+        let mut parts: Vec<(f64, Vec<DrawnRing>)> =
+            parts.into_iter().map(|(rings, _)| (area(&rings), rings)).collect();
+        parts.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let mut parts = parts.into_iter();
+        let (largest, rings) = parts.next().ok_or_else(|| bad("polygons cover it".to_owned()))?;
+        if let Some((second, _)) = parts.next() {
+            self.notes.push(format!(
+                "left out {} of the box that no polygon covers, with {:.2} % of the area of the largest at most",
+                counted(parts.len() + 1, "other part"),
+                100.0 * second / largest
+            ));
+        }
+        if !self.inside.is_empty() {
+            self.notes.push("left out lines and points inside polygons".to_owned());
+        }
+        let Self { kinds, notes, is_geographic, .. } = self;
+        let mut sea = Self { kinds, notes, is_geographic, ..Self::default() };
+        sea.features.push(Feature { rings, ..Feature::default() });
+        sea.end_shape();
+        Ok(sea)
+    }
+}
+
+/// The area of an outer ring without holes.
+fn area(rings: &[DrawnRing]) -> f64 {
+    let areas: Vec<f64> = rings.iter().map(|ring| ring.doubled_area().abs() / 2.0).collect();
+    areas.first().map_or(0.0, |outer| 2.0 * outer - areas.iter().sum::<f64>())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{OutlineFormat, read};
+
+    fn sea(land: &str, corners: [[f64; 2]; 2]) -> Result<Outlines, OutlineError> {
+        let format =
+            if land.starts_with('{') { OutlineFormat::GeoJson } else { OutlineFormat::Wkt };
+        let alone = |_: &str| Err(std::io::ErrorKind::NotFound.into());
+        read(land.as_bytes(), format, alone).unwrap().sea_in(corners.map(Into::into))
+    }
+
+    /// Land at two corners that overlaps more land, with a lake in it, an island, and land far away.
+    #[test]
+    fn the_largest_part_of_a_box_without_land_is_the_sea() {
+        let land = "MULTIPOLYGON(((-5 -5, 4 -5, 4 4.1, -5 4.1, -5 -5), (1 1, 2 1, 2 2, 1 1)), ((-1 4, 3 4, 3 30, -1 30, -1 4)), \
+                    ((7 3, 8 3, 8 4, 7 3)), ((60 60, 61 60, 61 61, 60 60)))";
+        let found = sea(land, [[0.0, 0.0], [10.0, 10.0]]).unwrap();
+        let [only] = &found.features[..] else { panic!("{} parts", found.features.len()) };
+        let doubled: Vec<f64> = only.rings.iter().map(|ring| ring.doubled_area().abs()).collect();
+        assert_eq!(doubled.len(), 2);
+        // Without 4 by 4.1 and 3 by 5.9.
+        assert!((doubled[0] - 2.0 * (100.0 - 16.4 - 17.7)).abs() < 1e-9, "{doubled:?}");
+        // The points of the file stay bit for bit.
+        let starts = |ring: &DrawnRing| -> Vec<DVec2> {
+            ring.pieces.iter().map(|piece| piece.start).collect()
+        };
+        assert_eq!(starts(&only.rings[1]), [[7.0, 3.0], [8.0, 3.0], [8.0, 4.0]].map(DVec2::from));
+        assert!(starts(&only.rings[0]).contains(&DVec2::new(4.0, 4.1)));
+        let [note] = &found.notes[..] else { panic!("{:?}", found.notes) };
+        assert!(
+            note.starts_with(
+                "left out 1 other part of the box that no polygon covers, with 0.76 %"
+            ),
+            "{note}"
+        );
+        // Nothing is near: the sea is the box.
+        let box_alone = sea(land, [[20.0, 31.0], [21.0, 32.0]]).unwrap();
+        assert_eq!(starts(&box_alone.features[0].rings[0]).len(), 4);
+        assert!(box_alone.notes.is_empty());
+    }
+
+    #[test]
+    fn boxes_without_a_sea_are_refused() {
+        let land = r#"{"type": "Polygon", "coordinates": [[[-20, -20], [20, -20], [20, 20], [-20, 20], [-20, -20]]]}"#;
+        for (corners, words) in [
+            ([[0.0, 0.0], [1.0, 1.0]], "polygons cover it"),
+            ([[1.0, 1.0], [0.0, 0.0]], "lower left corner first"),
+            ([[170.0, 0.0], [190.0, 1.0]], "degrees end at ±180"),
+        ] {
+            let error = sea(land, corners).unwrap_err().to_string();
+            assert!(error.starts_with("the box from (") && error.contains(words), "{error}");
+        }
+    }
+}
