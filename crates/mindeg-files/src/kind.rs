@@ -56,6 +56,11 @@ pub(crate) fn no_mesh(file: &str) -> String {
     )
 }
 
+/// The message for a domain where a mesh is wanted.
+pub(crate) fn no_domain(file: &str) -> String {
+    format!("it is a domain, and a mesh is expected; `mindeg mesh {file} -o mesh.vtu` makes one")
+}
+
 /// The kind of a file. The extension tells, if the content does not look like another format; without a
 /// known extension the content does. Where neither tells, it counts as JSON, whose reader says best
 /// what is wrong.

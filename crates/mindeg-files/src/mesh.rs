@@ -4,6 +4,7 @@ use crate::beside::Beside;
 use crate::error::{FileError, extension, plain};
 use crate::foreign;
 use crate::input::Input;
+use crate::kind::{is_domain_name, no_domain};
 use crate::session::Session;
 use mindeg_formats::{Format, ReadError};
 use mindeg_mesh::{Progress, TriMesh};
@@ -91,8 +92,11 @@ fn failed(name: &str, path: &Path, error: ReadError) -> FileError {
             FileError::system(format!("{name}: {error}"), source.kind())
         }
         error => {
-            let advice = foreign::advice(&extension(path), name);
-            let advice = advice.filter(|_| Format::of_path(path).is_none());
+            let advice = || match is_domain_name(path) {
+                true => Some(no_domain(name)),
+                false => foreign::advice(&extension(path), name),
+            };
+            let advice = Format::of_path(path).is_none().then(advice).flatten();
             FileError::wrong(format!("{name}: {}", advice.unwrap_or(error.to_string())))
         }
     }
