@@ -10,7 +10,7 @@ use crate::domain::{Parts, name};
 use crate::failure::Failure;
 use crate::interrupt::SESSION;
 use crate::making::Making;
-use mindeg::interior::{self, Cause, InteriorError, InteriorMesh};
+use mindeg::interior::{self, BoundaryDemands, Cause, GROWTH, InteriorError, InteriorMesh};
 use mindeg::{Domain, Interior, Opening, Size};
 use mindeg_answers::advice::Purpose;
 use mindeg_answers::condition::ConditionAnswer;
@@ -151,8 +151,13 @@ const POOR_LIMIT: f64 = 20.0;
 const POOR_SHARE: f64 = 0.9;
 const FEW_EDGES: usize = 64;
 
-/// The option that makes a poor boundary better: it divides few long sides, or lifts a limit, unless that is the angle of a corner itself.
-fn boundary_hint(arguments: &MeshArguments, found: &InteriorMesh) -> Option<String> {
+/// The option that makes a poor boundary better: it divides few long sides, or lifts a limit, unless that is the angle of a corner itself,
+/// or divides edges that are long beside others near them.
+fn boundary_hint(
+    arguments: &MeshArguments,
+    domains: &[Domain],
+    found: &InteriorMesh,
+) -> Option<String> {
     let InteriorMesh { mesh, report, limit, .. } = found;
     let edges: usize = mesh.lines().iter().map(|line| line.segments.len()).sum();
     let is_poor = report.interior_points > 0 && report.local.worst < POOR_SHARE;
@@ -166,11 +171,28 @@ fn boundary_hint(arguments: &MeshArguments, found: &InteriorMesh) -> Option<Stri
     let is_sharp =
         matches!(limit.cause, Cause::Corner { angle, .. } if angle < limit.min_angle * 1.01);
     let is_hinted = arguments.condition.is_none() && limit.min_angle < POOR_LIMIT && !is_sharp;
-    is_hinted.then(|| {
-        "hint: --condition=25 changes the boundary as little as lets a mesh have 25°, and tells each change; mindeg \
-         condition does that alone."
-            .to_owned()
+    if is_hinted {
+        return Some(
+            "hint: --condition=25 changes the boundary as little as lets a mesh have 25°, and tells each change; mindeg \
+             condition does that alone."
+                .to_owned(),
+        );
+    }
+    let points = if is_poor { points_to_grow(arguments, domains)? } else { 0 };
+    (points > 0).then(|| {
+        format!(
+            "hint: edges of different lengths near each other leave little room for good triangles; mindeg condition \
+             --growth {GROWTH} puts {} on the long ones, and moves none.",
+            counted(points as u64, "point")
+        )
     })
+}
+
+/// How many points a boundary takes until its edges grow gradually.
+fn points_to_grow(arguments: &MeshArguments, domains: &[Domain]) -> Option<usize> {
+    let demands = BoundaryDemands { growth: GROWTH, ..BoundaryDemands::default() };
+    let (new, changed) = interior::condition_all(domains, &demands, &arguments.change.keep).ok()?;
+    Some(ConditionAnswer::of(domains, &new, &changed).inserted)
 }
 
 /// How many vertices are on the boundary: those around holes that touch rings, too, which are lines of the domain.
@@ -230,7 +252,7 @@ pub(super) fn run(
             .chain(summary.ocean.words())
             .chain(domain.notes())
             .chain(more_on_request(&found.report, wanted.target_angle))
-            .chain(boundary_hint(arguments, &found))
+            .chain(boundary_hint(arguments, &domains, &found))
             .collect::<Vec<_>>()
             .join("\n")
     };
@@ -297,7 +319,7 @@ pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Res
             .into_iter()
             .chain([text(&title(), &found, &lifting, &summary)])
             .chain(summary.ocean.words())
-            .chain(boundary_hint(arguments, &found))
+            .chain(boundary_hint(arguments, &domains, &found))
             .collect::<Vec<_>>()
             .join("\n")
     };

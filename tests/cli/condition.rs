@@ -333,6 +333,39 @@ fn a_poor_boundary_is_told_what_lifts_its_limit() {
     assert!(run.code == Some(0) && !run.errors.contains("hint"), "{run:?}");
 }
 
+/// An island with edges of 0.3, 1.4 from a side with edges of 5.
+#[test]
+fn edges_that_are_long_beside_others_are_told_what_divides_them() {
+    let side = |[x, y]: [i32; 2], [u, v]: [i32; 2]| {
+        (0..20).map(move |i| format!("{} {}", x + i * u, y + i * v))
+    };
+    let outer: Vec<String> = side([0, 0], [5, 0])
+        .chain(side([100, 0], [0, 5]))
+        .chain(side([100, 100], [-5, 0]))
+        .chain(side([0, 100], [0, -5]))
+        .collect();
+    let corner = |i: i32| {
+        let (sin, cos) = f64::from(-30 * i).to_radians().sin_cos();
+        format!("{} {}", 52.5 + 0.6 * cos, 2.0 + 0.6 * sin)
+    };
+    let island: Vec<String> = (0..12).map(corner).collect();
+    let [outer, island] = [outer, island].map(|ring| format!("({}, {})", ring.join(", "), ring[0]));
+    let sea = format!("POLYGON ({outer}, {island})");
+    let folder = tempfile::tempdir().expect("a folder");
+    let [new, out] =
+        ["new.json", "mesh.obj"].map(|name| folder.path().join(name).display().to_string());
+    let hint = "hint: edges of different lengths near each other leave little room for good triangles; mindeg condition \
+                --growth 0.4 puts 11 points on the long ones, and moves none.";
+    let run = mindeg_reading(["mesh", "-", "--interior", "-o", &out], sea.as_bytes());
+    assert!(run.code == Some(0) && run.errors.contains(hint), "{run:?}");
+    let grow = ["condition", "-", "--growth", "0.4", "-o", &new, "--json"];
+    let changed = mindeg_reading(grow, sea.as_bytes()).json();
+    assert_eq!((&changed["inserted"], &changed["moved"]), (&json!(11), &json!(0.0)));
+    let run = mindeg(["mesh", &new, "--interior", "-o", &out, "--json"]);
+    assert!(!run.errors.contains("hint: edges"), "{run:?}");
+    assert!(run.json()["min_angle"].as_f64() > Some(38.0), "{run:?}");
+}
+
 /// A side that nothing moves keeps its law, its curve and its name; another is a list of its points.
 #[test]
 fn sides_that_stay_are_described_as_they_were() {

@@ -6,6 +6,9 @@ use glam::DVec2;
 /// The least growth: below it, edges beside one that was halved would have to be halved, too, and so on.
 pub const LEAST_GROWTH: f64 = 0.35;
 
+/// The growth at which a mesh reaches its limits nearly everywhere.
+pub const GROWTH: f64 = 0.4;
+
 /// An edge below this share of the size is short: shores may move apart by four times as much, so hardly any has to stay.
 const SHORT: f64 = 1.0 / 16.0;
 
@@ -43,8 +46,7 @@ pub struct BoundaryDemands {
     /// for the angle.
     pub size: Option<f64>,
     /// No edge is longer than 4/3 of another and `growth` times their distance together, from [`LEAST_GROWTH`] on; 0 for no
-    /// such rule. The limit of an angle is a bound, which a mesh reaches more surely where lengths change gradually: at 0.4
-    /// nearly everywhere.
+    /// such rule. The limit of an angle is a bound, which a mesh reaches more surely where lengths change gradually.
     pub growth: f64,
     /// Holes of a smaller area are dropped.
     pub least_hole: f64,
@@ -69,7 +71,7 @@ impl BoundaryDemands {
     /// length shows.
     #[must_use]
     pub fn of_size(size: f64) -> Self {
-        Self { size: Some(size), within: size / 8.0, growth: 0.4, ..Self::default() }
+        Self { size: Some(size), within: size / 8.0, growth: GROWTH, ..Self::default() }
     }
 
     /// The length below which an edge is short beside the size.

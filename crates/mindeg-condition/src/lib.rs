@@ -44,7 +44,7 @@ mod tips;
 pub use changes::{
     BoundaryChange, ChangeKind, Conditioned, Left, Narrow, NarrowReason, Point, Reason, Why,
 };
-pub use demands::{BoundaryDemands, Hold, LEAST_GROWTH};
+pub use demands::{BoundaryDemands, GROWTH, Hold, LEAST_GROWTH};
 pub use error::ConditionError;
 
 use crate::demands::Given;
