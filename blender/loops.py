@@ -192,7 +192,7 @@ def fill(patch, external, excluded, *, interior=False, keep_angle=None, max_degr
         patch.degree = mesh.max_degree
         reached = mesh.report
         violations = len(reached["violations"])
-        patch.words = f"at most {reached['angle_limit']:.1f}° possible"
+        patch.words = f"at most {angle(reached['angle_limit'])} possible"
         if violations:
             patch.words += f", {violations} {'vertex' if violations == 1 else 'vertices'} outside 5 to 7 edges"
     else:
@@ -228,6 +228,13 @@ def _put_points(patch, rims, triangles, external):
         patch.words += f", {violations} of them outside 5 to 7 edges"
 
 
+def angle(degrees):
+    """An angle as all of mindeg writes it: to three decimals, and one too small for them to four digits."""
+    if degrees >= 0.1:
+        return f"{degrees:.3f}°"
+    return f"{np.format_float_positional(degrees, precision=4, unique=False, fractional=False, trim='-')}°"
+
+
 def said(patches, what):
     """What was done, in one sentence; ``what`` is "hole" or "face"."""
     done = [patch for patch in patches if patch.fault is None]
@@ -241,7 +248,7 @@ def said(patches, what):
     words += f"degree {'' if len(done) == 1 else 'at most '}{max(patch.degree for patch in done)}"
     if len(done) == 1 and done[0].words:
         words += f" ({done[0].words})"
-    words += f", minimum angle {min(patch.min_angle for patch in done):.1f}°"
+    words += f", minimum angle {angle(min(patch.min_angle for patch in done))}"
     if left:
         words += f"; {_counted(left, what)} {'stays' if len(left) == 1 else 'stay'} as {'it is' if len(left) == 1 else 'they are'}: {left[0].fault}"
     return words

@@ -311,7 +311,7 @@ class MESH_OT_mindeg_bridge(_LongWork, bpy.types.Operator):
             like = next((corner.face for corner in corners.values()), None)
             made = _add_faces(bm, patch, vertices, corners, like, None)
             bm.normal_update()
-            return f"Joined 2 loops with {made} triangles: degree {patch.degree} ({patch.words}), minimum angle {patch.min_angle:.1f}°"
+            return f"Joined 2 loops with {made} triangles: degree {patch.degree} ({patch.words}), minimum angle {loops.angle(patch.min_angle)}"
 
         return task, finish
 
@@ -369,7 +369,7 @@ class MESH_OT_mindeg_remesh(_LongWork, bpy.types.Operator):
             bm.normal_update()
             off = len(made.report["violations"])
             poles = "no pole" if off == 0 else f"{off} {'vertex' if off == 1 else 'vertices'} with other counts"
-            return f"Made {len(vertices)} vertices with 5 to 7 edges, {poles}, minimum angle {made.min_angle:.1f}°"
+            return f"Made {len(vertices)} vertices with 5 to 7 edges, {poles}, minimum angle {loops.angle(made.min_angle)}"
 
         return task, finish
 
@@ -412,7 +412,7 @@ class MESH_OT_mindeg_report(_EditMesh, bpy.types.Operator):
             raise ValueError("the mesh has no face")
         found = mindeg.inspect(np.array([vertex.co for vertex in bm.verts], dtype=float), triangles)
         degree = max(len(vertex.link_edges) for face in chosen for vertex in face.verts)
-        return f"{len(triangles)} triangles, degree {degree}, minimum angle {found['min_angle']:.1f}°"
+        return f"{len(triangles)} triangles, degree {degree}, minimum angle {loops.angle(found['min_angle'])}"
 
 
 OPERATORS = [

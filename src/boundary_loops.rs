@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use mindeg::glam::DVec3;
 use mindeg::{Loops, MeshLoop, TriMesh};
 use mindeg_answers::loops::LoopName;
-use mindeg_answers::numbers::significant;
+use mindeg_answers::numbers::coordinate;
 use std::path::Path;
 
 /// How many loops a list names.
@@ -55,7 +55,7 @@ pub(crate) fn listed(loops: &Loops, mesh: &TriMesh) -> String {
         let largest = points.map(|point| point.abs().max_element()).fold(0.0, f64::max);
         // Print the rounding error of a zero as 0.
         let round = |x: f64| if x.abs() < 1e-12 * largest { 0.0 } else { x };
-        let center = found.center(mesh.positions()).to_array().map(|x| significant(round(x), 4));
+        let center = found.center(mesh.positions()).to_array().map(|x| coordinate(round(x)));
         let name = LoopName::new(index, found).text();
         text += &format!("\n  {name}, around {}", center.join(","));
         if let Some(defect) = found.defect {

@@ -9,7 +9,7 @@ use mindeg::glam::DVec2;
 use mindeg::{DepthRules, Depths, Domain, OpenWater, Opening, Projection};
 use mindeg_answers::numbers::count;
 use mindeg_files::Input;
-use mindeg_mesh::{LineKind, significant};
+use mindeg_mesh::{LineKind, number, significant};
 use std::borrow::Cow;
 use std::path::PathBuf;
 
@@ -139,9 +139,9 @@ impl BoundaryKinds {
 /// A length with its unit, where that is known.
 fn length(length: f64, is_projected: bool) -> String {
     match is_projected {
-        true if length >= 1000.0 => format!("{}km", significant(length / 1000.0, 3)),
-        true => format!("{}m", significant(length, 3)),
-        false => significant(length, 4),
+        true if length >= 1000.0 => format!("{}km", number(length / 1000.0)),
+        true => format!("{}m", number(length)),
+        false => number(length),
     }
 }
 

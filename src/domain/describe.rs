@@ -11,7 +11,7 @@ use crate::standard_output::{print, print_json};
 use crate::terminal::say;
 use mindeg::{Domain, DomainJsonError};
 use mindeg_answers::names::shown;
-use mindeg_answers::numbers::{four_digits, significant};
+use mindeg_answers::numbers::{coordinate, number};
 use mindeg_files::{Outputs, Polygon, PolygonFile, Wanted, write_to};
 use serde::Serialize;
 use std::path::Path;
@@ -138,14 +138,14 @@ fn line(row: &Row) -> String {
         1 => ", 1 hole".to_owned(),
         holes => format!(", {holes} holes"),
     };
-    let [x, y] = min.map(|value| significant(value, 6));
-    let [right, top] = max.map(|value| significant(value, 6));
+    let [x, y] = min.map(coordinate);
+    let [right, top] = max.map(coordinate);
     let side = if *sides == 1 { "side" } else { "sides" };
     format!(
         "{:>5}  {name}: {vertices} points on {sides} {side}{holes}, area {}, from ({x}, {y}) to \
          ({right}, {top})\n",
         row.index,
-        four_digits(*area)
+        number(*area)
     )
 }
 

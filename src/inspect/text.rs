@@ -3,7 +3,7 @@
 use mindeg::inspection::{Inspection, InspectionOptions, NoConvexOutline};
 use mindeg::quality::{Distribution, METRICS};
 use mindeg_answers::inspected::InspectionReport;
-use mindeg_answers::numbers::{four_digits, steady_angle};
+use mindeg_answers::numbers::{number, percent, steady_angle};
 use mindeg_mesh::listed;
 use std::fmt::{Display, Write};
 
@@ -103,7 +103,7 @@ fn write_counts(text: &mut String, report: &InspectionReport) -> std::fmt::Resul
     row("Euler characteristic", &report.euler_characteristic, String::new())?;
     if let (Some(genus), Some(volume)) = (report.genus, report.volume) {
         row("genus", &genus, "closed and manifold".to_owned())?;
-        row("volume", &four_digits(volume), "length³".to_owned())?;
+        row("volume", &number(volume), "length³".to_owned())?;
     }
     if !report.not_read.is_empty() {
         writeln!(text, "Not measured: {}.", report.not_read.join("; "))?;
@@ -198,8 +198,12 @@ fn write_quality(text: &mut String, report: &InspectionReport) -> std::fmt::Resu
     for metric in METRICS {
         if let Some(spread) = report.metrics.get(metric.name) {
             let Distribution { min, p01, median, mean, p99, max } = *spread;
-            let cells = [min, p01, median, mean, p99, max].map(four_digits);
             let unit = if metric.unit == "1" { "" } else { metric.unit };
+            let cell = |value: f64| match unit {
+                "degrees" => steady_angle(value).trim_end_matches('°').to_owned(),
+                _ => number(value),
+            };
+            let cells = [min, p01, median, mean, p99, max].map(cell);
             let cells = cells.each_ref().map(String::as_str);
             writeln!(text, "{}", row(metric.name, cells, unit))?;
         }
@@ -207,14 +211,9 @@ fn write_quality(text: &mut String, report: &InspectionReport) -> std::fmt::Resu
     let shares: Vec<String> = report
         .share_below_degrees
         .iter()
-        .map(|(angle, share)| format!("{}% below {angle}°", four_digits(100.0 * share)))
+        .map(|(angle, share)| format!("{} below {angle}°", percent(*share)))
         .collect();
-    writeln!(
-        text,
-        "Minimum angles: {}. Total area: {}.",
-        shares.join(", "),
-        four_digits(report.area)
-    )?;
+    writeln!(text, "Minimum angles: {}. Total area: {}.", shares.join(", "), number(report.area))?;
     writeln!(text, "Worst triangles:")?;
     for worst in &report.worst_triangles {
         let [a, b, c] = worst.vertices;

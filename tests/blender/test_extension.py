@@ -416,10 +416,11 @@ def test_one_sentence_tells_how_many(extension):
         patches.append(loops.Patch(list(range(12 * x, 12 * x + 12)), [points]))
     loops.fill_all(patches, [], keep_angle=0.95)
     said = loops.said(patches, "hole")
-    assert said == "Filled 3 holes with 30 triangles: degree at most 4, minimum angle 15.0°"
+    assert said == "Filled 3 holes with 30 triangles: degree at most 4, minimum angle 15.000°"
+    assert [loops.angle(degrees) for degrees in (0, 0.0847149, 0.00001, 0.1, 26.56505)] == ["0°", "0.08471°", "0.00001°", "0.100°", "26.565°"]
     patches[1].fault = "it is too large"
     assert loops.said(patches, "hole").endswith("; 1 hole stays as it is: it is too large")
-    assert loops.said(patches[:1], "face") == "Made 10 triangles of 1 face: degree 4 (least possible 4), minimum angle 15.0°"
+    assert loops.said(patches[:1], "face") == "Made 10 triangles of 1 face: degree 4 (least possible 4), minimum angle 15.000°"
 
 
 def test_a_flat_sheet_is_not_closed_by_a_second_one():

@@ -133,6 +133,18 @@ test("the page begins with what to do, and has every mesh once", async () => {
   await opened.context().close();
 });
 
+test("the scripts write numbers as the program does", async () => {
+  const table = readFileSync("numbers.txt", "utf8").split(/^< /m).slice(1).map((entry) => entry.trim().split("\n"));
+  assert.ok(table.length >= 25);
+  const opened = await open("hexagon.html");
+  const written = await opened.evaluate((inputs) => inputs.map((input) => {
+    const value = Number(input);
+    return `> ${numberText(value)} | ${angleText(value)} | ${percent(value)}`;
+  }), table.map(([input]) => input));
+  assert.deepEqual(written, table.map(([, answer]) => answer));
+  await opened.context().close();
+});
+
 test("the command is copied", async () => {
   const opened = await open("hexagon.html");
   await opened.evaluate(() => {

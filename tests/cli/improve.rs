@@ -88,11 +88,7 @@ fn what_cannot_be_improved_is_refused() {
     refuses(both, &[], &["the mesh is not planar, or parts of it are turned over"]);
     let bow = "v 0 0 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nv -1 -1 0\nf 1 2 3\nf 1 4 5\n";
     refuses(bow, &[], &["the mesh cannot be improved"]);
-    refuses(
-        &grid(3, 0.1),
-        &["--target-angle", "59"],
-        &["a minimum angle of 59 degrees is impossible"],
-    );
+    refuses(&grid(3, 0.1), &["--target-angle", "59"], &["a minimum angle of 59° is impossible"]);
     let before = write(folder.path(), "before.obj", bent);
     mindeg(["improve", text(&before), "-o", text(&before)]).refuses(&["is the mesh itself"]);
 }

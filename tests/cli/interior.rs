@@ -108,7 +108,7 @@ fn the_summary_names_the_limit_and_what_lifts_it() {
         "of the limit) to ",
         "degrees 5 to 7 inside, ",
         "The boundary allows a minimum angle of at most ",
-        ", decided by corner 1 (vertex 0), where intervals of 2 and 0.25 meet at 90°. With ",
+        ", decided by corner 1 (vertex 0), where intervals of 2 and 0.25 meet at 90.000°. With ",
         "intervals on side 4 it would be ",
         "Neighbouring triangles differ in area by a factor of ",
         "wrote ",
@@ -295,8 +295,8 @@ fn sizes_that_the_boundary_contradicts_are_told_with_a_way_out() {
     let errors = run(&["--size-inside", "0.1"]).errors;
     for words in [
         "warning: the boundary and lines are never divided, and too coarse for the sizes asked for: side 1 has an edge \
-         1.000 long at (0.5000, 0) where the size asked for is 0.1000, which takes 10 intervals on it, not 1; side 2",
-        "or all of them --size 0.1000.",
+         1 long at (0.5, 0) where the size asked for is 0.1, which takes 10 intervals on it, not 1; side 2",
+        "or all of them --size 0.1.",
     ] {
         assert!(errors.contains(words), "{errors}");
     }

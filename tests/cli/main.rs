@@ -32,6 +32,7 @@ mod mesh_files;
 mod mistakes;
 mod models;
 mod names;
+mod numbers;
 mod ocean;
 mod outlines;
 #[cfg(unix)]

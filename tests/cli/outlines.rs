@@ -197,7 +197,7 @@ fn several_polygons_are_listed_chosen_or_written_to_a_folder() {
     assert!(
         mindeg(["domain", map])
             .text()
-            .contains("    1  Isles 1: 8 points on 8 sides, 1 hole, area 32.00")
+            .contains("    1  Isles 1: 8 points on 8 sides, 1 hole, area 32")
     );
 
     for (feature, points) in [("Isles 2", 3), ("2", 3), ("3", 3), ("Isles 1", 8)] {

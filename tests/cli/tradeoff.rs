@@ -49,7 +49,7 @@ fn the_table_is_for_reading() {
          \x20            5          5.528°          87.2%\n\
          \x20            6          6.340°           100%  advised\n\
          \x20            7         34.600°         545.7%  with points inside\n\
-         For a solver, put points inside: minimum angle 34.600°, 5.5 times what the boundary points alone allow; at \
+         For a solver, put points inside: minimum angle 34.600°, 5.457 times what the boundary points alone allow; at \
          most 7 edges at a vertex.\n\
          For a patch that must keep its points, take degree 6: minimum angle 6.340°, all of what its points allow.\n"
     );

@@ -83,7 +83,7 @@ fn the_report_says_what_was_checked() {
         run.text(),
         format!(
             "{name} is a triangulation of the domain\n\
-             boundary points   14; the farthest vertex is 0 off (tolerance 4.000e-6)\n\
+             boundary points   14; the farthest vertex is 0 off (tolerance 4e-6)\n\
              interior points   0\n\
              triangles         12\n\
              maximum degree    4, at vertex 1\n\
@@ -211,6 +211,37 @@ fn named_limits_pass_or_say_what_fails() {
         "{run:?}"
     );
     assert!(run.text().contains("100% of the largest possible"), "{run:?}");
+}
+
+#[test]
+fn lengths_and_areas_of_zero_are_written_as_0() {
+    let plate = Plate::new();
+    let moved = |x: &'static str| {
+        plate.with(move |_, line| {
+            let is_first = line == "v 0 0 0";
+            Some(if is_first { format!("v {x} 0 0") } else { line.to_owned() })
+        })
+    };
+    for (x, written) in [("5.551115123125783e-17", "0"), ("-3e-15", "0"), ("4e-15", "4e-15")] {
+        let file = moved(x);
+        let text = plate.verify(&file, &[]).text().to_owned();
+        assert!(text.contains(&format!("the farthest vertex is {written} off")), "{x} {text}");
+        // A program gets what was found.
+        let exact = plate.verify(&file, &["--json"]).json()["farthest"].as_f64();
+        assert_eq!(exact, x.trim_start_matches('-').parse().ok(), "{x}");
+    }
+    let domain = asset("../models/cube");
+    let part = plate.folder.path().join("cube.stl");
+    assert_eq!(mindeg(["mesh", &domain, "-q", "-o", text(&part)]).code, Some(0));
+    let run = mindeg(["verify", text(&part), "--surface", text(&part), "--tolerance", "0"]);
+    let distance = "at most 0 (0%) from the part, and back at most 0 (0%); tolerance 0 (0%)";
+    // What is found of it is 1e-14, which is rounding.
+    assert!(run.text().contains(distance), "{run:?}");
+    // Three points in a line, far from the zero of the coordinates: an area of zero, not of roundings.
+    let flat = plate.folder.path().join("flat.obj");
+    fs::write(&flat, "v 0.1 0.1 0\nv 0.2 0.2 0\nv 0.3 0.3 0\nf 1 2 3\n").expect("a file");
+    let run = mindeg(["inspect", text(&flat)]);
+    assert!(run.text().contains("Total area: 0."), "{run:?}");
 }
 
 #[test]

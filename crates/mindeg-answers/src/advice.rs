@@ -6,7 +6,7 @@
 pub use crate::purpose::{FEWEST, KEPT, Purpose};
 
 use crate::command::MeshCommand;
-use crate::numbers::{percent, steady_angle};
+use crate::numbers::{number, percent, steady_angle};
 use mindeg::beside::mesh_parts;
 use mindeg::exact::{MAX_VERTICES, share_of};
 use mindeg::interior::{self, InteriorError, InteriorMesh, InteriorReport};
@@ -289,7 +289,7 @@ impl Advice {
             (Purpose::Solver, share) => {
                 let times = match share {
                     Some(share) if share >= WORTH => {
-                        format!(", {share:.1} times what the boundary points alone allow")
+                        format!(", {} times what the boundary points alone allow", number(share))
                     }
                     _ => String::new(),
                 };
@@ -369,7 +369,7 @@ mod tests {
         let advice = Advice::among(inside(7, 40.0), made(5, 5.0, Some(1.0)), made(4, 1.0, None));
         assert_eq!(
             advice.text(None),
-            "For a solver, put points inside: minimum angle 40.000°, 8.0 times what the boundary points alone \
+            "For a solver, put points inside: minimum angle 40.000°, 8 times what the boundary points alone \
              allow; at most 7 edges at a vertex.\n\
              For a patch that must keep its points, take degree 5: minimum angle 5.000°, all of what its points \
              allow."

@@ -4,7 +4,7 @@ mod places;
 
 pub use places::ShortestEdge;
 
-use crate::numbers::{count, four_digits, steady_angle};
+use crate::numbers::{count, number, steady_angle};
 use mindeg::Domain;
 use mindeg::glam::DVec2;
 use mindeg::interior::{
@@ -256,7 +256,7 @@ impl ConditionAnswer {
             // A projected domain is in metres.
             let is_metric = self.changes.iter().any(|row| row.degrees.is_some());
             let unit = if is_metric { " m" } else { "" };
-            format!("{it} moved by {}{unit} at most", four_digits(self.moved))
+            format!("{it} moved by {}{unit} at most", number(self.moved))
         } else {
             format!("{it} moved nowhere")
         };

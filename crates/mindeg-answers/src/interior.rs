@@ -1,7 +1,7 @@
 //! The properties of a mesh with interior points.
 
 use crate::names::{NAMED, listed};
-use crate::numbers::{four_digits, percent, steady_angle};
+use crate::numbers::{coordinate, number, percent, steady_angle};
 use crate::proven::{CertifiedAnswer, TogetherAnswer, certified, together};
 use crate::sizes::{CoarseAnswer, SizeAnswer};
 use mindeg::Interior;
@@ -235,8 +235,8 @@ pub fn grading(report: &InteriorReport) -> String {
     format!(
         "Neighbouring triangles differ in area by a factor of {} at most; in size, by {} at the 99th \
          percentile.",
-        four_digits(report.area_ratio),
-        four_digits(report.grading_p99)
+        number(report.area_ratio),
+        number(report.grading_p99)
     )
 }
 
@@ -247,7 +247,7 @@ pub fn local_limits(report: &InteriorReport) -> String {
     if local.worst > 0.9995 {
         return format!("Each triangle reaches the limit of its place (at most {}°).", local.most);
     }
-    let [x, y] = local.at.to_array().map(four_digits);
+    let [x, y] = local.at.to_array().map(coordinate);
     let decides = match decided_by(local) {
         "gap" => ", decided by a gap",
         "corner" => ", decided by the edges there",
@@ -274,7 +274,7 @@ pub fn local_limits(report: &InteriorReport) -> String {
 pub fn corners(report: &InteriorReport) -> Option<String> {
     let row = |(degree, angle): &(u32, f64)| format!("{} with {degree}", steady_angle(*angle));
     let table = |corner: &CornerTradeOff| {
-        let [x, y] = corner.at.to_array().map(four_digits);
+        let [x, y] = corner.at.to_array().map(coordinate);
         let mut rows: Vec<String> = corner.angles.iter().map(row).collect();
         if rows.len() > MOST_DEGREES {
             rows.splice(MOST_DEGREES - 1..rows.len() - 1, ["…".to_owned()]);
@@ -345,7 +345,7 @@ fn outside(report: &InteriorReport) -> Option<String> {
 
 fn named<'a>(violations: impl Iterator<Item = &'a Violation>) -> Option<String> {
     let place = |violation: &Violation| {
-        let [x, y] = violation.at.to_array().map(four_digits);
+        let [x, y] = violation.at.to_array().map(coordinate);
         let kind = if violation.is_boundary { "boundary" } else { "interior" };
         format!("vertex {} at ({x}, {y}) has {} ({kind})", violation.vertex, violation.degree)
     };
@@ -417,7 +417,7 @@ mod tests {
             vec![TogetherBound { vertices: vec![3, 4], at, more: 1, share: 0.5, angles }];
         let text = violations(&report).unwrap();
         let proof = ". No mesh with so much of the angles there has fewer edges above the limits: \
-                     1 at vertices 3 and 4 at (1.000, 2.000) (with 50%)";
+                     1 at vertices 3 and 4 at (1, 2) (with 50%)";
         assert!(text.ends_with(proof), "{text}");
         let json = serde_json::to_value(InteriorAnswer::from(&report)).unwrap();
         assert_eq!(json["together"][0]["angles"][1]["min_angle"], 12.0);

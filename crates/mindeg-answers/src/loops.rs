@@ -1,6 +1,6 @@
 //! Boundary loops that were filled or joined.
 
-use crate::numbers::{four_digits, percent, steady_angle};
+use crate::numbers::{number, percent, steady_angle};
 use mindeg::bridge::Bridged;
 use mindeg::fill::{FIRST_LIMIT, FillOptions, Filled, FilledLoop, PointsInside};
 use mindeg::{Loops, MeshLoop};
@@ -122,7 +122,7 @@ impl FilledLoopAnswer {
 
     /// The loop with its points inside.
     fn text_inside(&self, [first, end]: [u32; 2], [least, most]: [u32; 2]) -> String {
-        let (name, area, points) = (self.name.text(), four_digits(self.area), end - first);
+        let (name, area, points) = (self.name.text(), number(self.area), end - first);
         let points = if points == 1 { "1 point".to_owned() } else { format!("{points} points") };
         let angle = steady_angle(self.min_angle);
         let off = off_degree_text(&self.violations);
@@ -159,7 +159,7 @@ impl FilledLoopAnswer {
             least_limit.zip(self.area_at_least_limit).map_or_else(String::new, |(limit, area)| {
                 format!("; --max-degree {limit} takes {} more", percent(more(area)))
             });
-        let (name, area) = (self.name.text(), four_digits(*area));
+        let (name, area) = (self.name.text(), number(*area));
         let without = self.without_points.as_ref();
         let without = without.map_or_else(String::new, |why| format!("; no points inside: {why}"));
         format!("{name}: degree limit {limit}{why}; area {area}, {cost}{lower}{without}")

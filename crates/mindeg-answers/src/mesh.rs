@@ -245,13 +245,13 @@ fn standing_of(
                 .to_owned(),
         ),
         (FoundBy::Search, Goal::KeepAngle(share), Some(kept)) => {
-            let percent = 100.0 * share;
-            Some(format!("It has {kept}. No smaller degree keeps {percent:.0}%."))
+            let asked = percent(share);
+            Some(format!("It has {kept}. No smaller degree keeps {asked}."))
         }
         (FoundBy::Windows { share }, _, Some(kept)) => {
             // More may have come at the same degree than was asked for.
             let share = if let Goal::KeepAngle(wanted) = goal { wanted } else { share };
-            let percent = 100.0 * share;
+            let asked = percent(share);
             let gap = if max_degree == least {
                 "no degree is smaller".to_owned()
             } else if meshed.is_least_proven && goal == Goal::LeastDegree {
@@ -259,9 +259,7 @@ fn standing_of(
             } else if share == 0.0 {
                 format!("whether a degree from {least} on is possible is not known")
             } else {
-                format!(
-                    "whether a degree from {least} on is possible with {percent:.0}% is not known"
-                )
+                format!("whether a degree from {least} on is possible with {asked} is not known")
             };
             Some(format!("It has {kept}. Degree {max_degree} was reached; {gap}."))
         }

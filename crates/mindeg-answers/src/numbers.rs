@@ -1,50 +1,14 @@
 //! How numbers are written for people.
 //!
-//! A number in a sentence has as many significant digits as it needs, without trailing zeros. The
-//! numbers of a column share their number of decimals, so that their points stand below one another:
-//! see [`Column`].
+//! The rule for digits is that of [`number`], [`coordinate`], [`steady_angle`] and [`percent`]. The numbers of a
+//! column share their number of decimals, so that their points stand below one another: see [`Column`].
 //!
 //! Limits: one language, and a point as the decimal mark.
 
 /// More decimals than these do not fit a column; smaller numbers are written with an exponent.
 const MAX_DECIMALS: i32 = 4;
 
-pub use mindeg_mesh::significant;
-
-/// A number with four significant digits, trailing zeros too; infinity as ∞.
-///
-/// ```
-/// use mindeg_answers::numbers::four_digits;
-///
-/// let numbers = [0.0, 60.0, 59.999_96, 0.012_345_6, 999_960.0, 123_456.0, 1.5e-7, f64::INFINITY];
-/// let texts = ["0", "60.00", "60.00", "0.01235", "1.000e6", "123456", "1.500e-7", "∞"];
-/// assert_eq!(numbers.map(four_digits), texts);
-/// ```
-#[must_use]
-pub fn four_digits(value: f64) -> String {
-    if value.is_infinite() {
-        return "∞".to_owned();
-    }
-    let rounded = format!("{value:.3e}");
-    let exponent = rounded.split_once('e').and_then(|(_, power)| power.parse().ok()).unwrap_or(0);
-    match exponent {
-        _ if value == 0.0 => "0".to_owned(),
-        -4..=5 => format!("{value:.*}", (3 - exponent).max(0) as usize),
-        _ => rounded,
-    }
-}
-
-/// An angle in degrees: to three decimals, and one too small for them to four significant digits.
-///
-/// ```
-/// use mindeg_answers::numbers::steady_angle;
-///
-/// assert_eq!([6.34, 26.565_05, 0.084_71].map(steady_angle), ["6.340°", "26.565°", "0.08471°"]);
-/// ```
-#[must_use]
-pub fn steady_angle(degrees: f64) -> String {
-    if degrees < 0.1 { format!("{}°", significant(degrees, 4)) } else { format!("{degrees:.3}°") }
-}
+pub use mindeg_mesh::{coordinate, number, percent, significant, steady_angle};
 
 /// The numbers of a column: all with the same number of decimals.
 ///
@@ -86,26 +50,6 @@ impl Column {
         } else {
             significant(value, 3)
         }
-    }
-}
-
-/// A share in percent, in sentences and in columns: to one decimal, and none where the percent is whole, as a share that
-/// was asked for is. What is more than nothing and less than all stays so.
-///
-/// ```
-/// use mindeg_answers::numbers::percent;
-///
-/// assert_eq!([1e-9, 0.9695, 0.95, 0.99999, 1.0].map(percent), ["<0.1%", "97.0%", "95%", ">99.9%", "100%"]);
-/// ```
-#[must_use]
-pub fn percent(share: f64) -> String {
-    match share * 100.0 {
-        percent if (percent - percent.round()).abs() < 1e-9 && (share == 0.0 || percent >= 0.1) => {
-            format!("{percent:.0}%")
-        }
-        percent if percent < 0.1 => "<0.1%".into(),
-        percent if percent > 99.9 && percent < 100.0 => ">99.9%".into(),
-        percent => format!("{percent:.1}%"),
     }
 }
 

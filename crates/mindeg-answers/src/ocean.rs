@@ -1,6 +1,6 @@
 //! The open water and the depths of an ocean model, and the time step that they allow.
 
-use crate::numbers::{count, four_digits, percent};
+use crate::numbers::{coordinate, count, number, percent};
 use mindeg::glam::DVec2;
 use mindeg::{Depths, Opening, Projection};
 use mindeg_mesh::TriMesh;
@@ -107,7 +107,7 @@ impl DepthsAnswer {
     /// The same as text, without a line break at its end.
     #[must_use]
     pub fn text(&self) -> String {
-        let depths = [self.least, self.greatest].map(four_digits);
+        let depths = [self.least, self.greatest].map(number);
         let mut words = format!("depths from {} to {} m", depths[0], depths[1]);
         if self.raised > 0 {
             words +=
@@ -168,16 +168,15 @@ impl CourantAnswer {
     fn text(&self) -> String {
         let place = match (self.degrees, self.at) {
             (Some([x, y]), _) => format!("longitude {x}, latitude {y}"),
-            (None, [x, y]) => format!("({}, {})", four_digits(x), four_digits(y)),
+            (None, [x, y]) => format!("({}, {})", coordinate(x), coordinate(y)),
         };
-        let [edge, depth, allowed] =
-            [self.edge, self.depth, self.allowed_time_step].map(four_digits);
+        let [edge, depth, allowed] = [self.edge, self.depth, self.allowed_time_step].map(number);
         let edge = format!("an edge of {edge} m in {depth} m of water at {place}");
         match (self.time_step, self.greatest) {
             (Some(step), Some(greatest)) => format!(
                 "\na time step of {} s has Courant numbers of {} at most, the greatest on {edge}; {SAFE} allows {allowed} s",
-                four_digits(step),
-                four_digits(greatest)
+                number(step),
+                number(greatest)
             ),
             _ => {
                 format!("\na Courant number of {SAFE} allows a time step of {allowed} s, by {edge}")

@@ -1,6 +1,6 @@
 //! The rules that programs have for a mesh.
 
-use crate::numbers::{four_digits, steady_angle};
+use crate::numbers::{number, steady_angle};
 use mindeg::Interior;
 use mindeg::glam::DVec3;
 use mindeg_mesh::{LineKind, TriMesh, Triangles as _};
@@ -272,7 +272,7 @@ impl PresetRules {
             && let Some((ratio, [a, b])) = area_ratio(mesh)
             && ratio > most
         {
-            let ratio = four_digits(ratio);
+            let ratio = number(ratio);
             broken.push(format!(
                 "triangles {a} and {b} differ in area by a factor of {ratio}, above {most}"
             ));

@@ -1,7 +1,7 @@
 //! Degree limits that no mesh keeps, with their proofs.
 
 use crate::names::listed;
-use crate::numbers::{four_digits, percent};
+use crate::numbers::{coordinate, percent};
 use mindeg::interior::{CertifiedVertex, InteriorReport, TogetherBound};
 use serde::Serialize;
 
@@ -63,7 +63,7 @@ impl From<&TogetherBound> for TogetherAnswer {
 /// The groups of vertices that no mesh brings nearer to their limits at such angles, if there are any.
 pub(crate) fn together(report: &InteriorReport) -> Option<String> {
     let place = |bound: &TogetherBound| {
-        let [x, y] = bound.at.to_array().map(four_digits);
+        let [x, y] = bound.at.to_array().map(coordinate);
         let names: Vec<String> = bound.vertices.iter().map(u32::to_string).collect();
         let vertices = if names.len() == 1 { "vertex" } else { "vertices" };
         let (names, share) = (names.join(" and "), percent(bound.share));
@@ -82,7 +82,7 @@ pub(crate) fn together(report: &InteriorReport) -> Option<String> {
 pub(crate) fn certified(report: &InteriorReport) -> Option<String> {
     let place = |certified: &CertifiedVertex| {
         let CertifiedVertex { vertex, at, edges, degree_limit, least_degree } = certified;
-        let [x, y] = at.to_array().map(four_digits);
+        let [x, y] = at.to_array().map(coordinate);
         format!(
             "vertex {vertex} at ({x}, {y}), where {} edges meet that stay, has {least_degree} or more (limit \
              {degree_limit})",

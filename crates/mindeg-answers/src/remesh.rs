@@ -2,7 +2,7 @@
 
 use crate::interior::DegreeViolation;
 use crate::loops::not_in_the_mesh;
-use crate::numbers::{count, four_digits, percent, steady_angle};
+use crate::numbers::{coordinate, count, number, percent, steady_angle};
 use crate::surface::{Distance, ProvenVertex, greatest};
 use mindeg::remesh::RemeshedPart;
 use mindeg::repair::Repairs;
@@ -199,9 +199,9 @@ impl RemeshAnswer {
         let most = |distance: &Distance| match distance.at_most {
             Some(length) if length <= 1e-8 * self.diagonal => "0".to_owned(),
             Some(length) if self.diagonal > 0.0 => {
-                format!("{} ({})", four_digits(length), percent(length / self.diagonal))
+                format!("{} ({})", number(length), percent(length / self.diagonal))
             }
-            Some(length) => four_digits(length),
+            Some(length) => number(length),
             None => "∞".to_owned(),
         };
         let surfaces = format!(
@@ -257,5 +257,5 @@ fn mended(repairs: &Repairs) -> String {
 }
 
 fn point([x, y, z]: [f64; 3]) -> String {
-    format!("({}, {}, {})", four_digits(x), four_digits(y), four_digits(z))
+    format!("({}, {}, {})", coordinate(x), coordinate(y), coordinate(z))
 }

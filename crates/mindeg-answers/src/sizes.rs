@@ -1,7 +1,7 @@
 //! The sizes of a mesh with interior points, and where the boundary contradicts those asked for.
 
 use crate::names::listed;
-use crate::numbers::{four_digits, percent};
+use crate::numbers::{coordinate, number, percent};
 use mindeg::interior::{CoarseSide, InteriorMesh, InteriorReport, SizeReport};
 use serde::Serialize;
 
@@ -54,7 +54,7 @@ impl From<&CoarseSide> for CoarseAnswer {
 pub fn sizes(report: &InteriorReport) -> Option<String> {
     let sizes = report.sizes.as_ref().filter(|_| report.interior_points > 0)?;
     let near = percent(sizes.near);
-    let [least, greatest] = [sizes.least, sizes.greatest].map(four_digits);
+    let [least, greatest] = [sizes.least, sizes.greatest].map(number);
     Some(format!(
         "{near} of the edges inside are 0.7 to 1.4 times as long as wanted, all {least} to {greatest} times."
     ))
@@ -79,8 +79,8 @@ pub fn coarse_sides(found: &InteriorMesh) -> Option<String> {
 #[must_use]
 pub fn too_coarse(found: &InteriorMesh) -> Option<(String, String)> {
     let place = |side: &CoarseSide| {
-        let [x, y] = side.at.to_array().map(four_digits);
-        let [length, size] = [side.length, side.size].map(four_digits);
+        let [x, y] = side.at.to_array().map(coordinate);
+        let [length, size] = [side.length, side.size].map(number);
         let intervals = |count: u64| match count {
             1 => "1 interval".to_owned(),
             count => format!("{count} intervals"),
@@ -100,5 +100,5 @@ pub fn too_coarse(found: &InteriorMesh) -> Option<(String, String)> {
     let problem = format!(
         "the boundary and lines are never divided, and too coarse for the sizes asked for: {places}"
     );
-    Some((problem, four_digits(least)))
+    Some((problem, number(least)))
 }

@@ -2,13 +2,16 @@
 
 use crate::demands::Demands;
 use crate::interior::DegreeViolation;
-use crate::numbers::{count, four_digits, percent, steady_angle};
+use crate::numbers::{count, number, percent, steady_angle};
 use mindeg::TriMesh;
 use mindeg::verify::{MeshDefect, ProvenDegree, SurfaceRules, VerifiedSurface};
 use mindeg_mesh::Bounds;
 use mindeg_mesh::distance::DistanceBound;
 use mindeg_mesh::inspection::VertexDegree;
 use serde::Serialize;
+
+/// A bound of at most so many roundings of the diagonal is all rounding: it is written as 0.
+const ROUNDINGS: f64 = 64.0;
 
 /// The verdict on a mesh beside a part; docs/verify.md gives the meaning of each key. Lengths are in units of the files,
 /// angles in degrees.
@@ -162,10 +165,12 @@ impl SurfaceAnswer {
         let angle = steady_angle(self.min_angle);
         row("minimum angle", format!("{angle}, in triangle {}", self.min_angle_triangle));
         let share = |length: f64| match self.diagonal > 0.0 {
-            true => format!("{} ({})", four_digits(length), percent(length / self.diagonal)),
-            false => four_digits(length),
+            true => format!("{} ({})", number(length), percent(length / self.diagonal)),
+            false => number(length),
         };
-        let most = |distance: &Distance| distance.at_most.map_or("∞".to_owned(), share);
+        let rounding = ROUNDINGS * f64::EPSILON * self.diagonal;
+        let known = |length: f64| share(if length <= rounding { 0.0 } else { length });
+        let most = |distance: &Distance| distance.at_most.map_or("∞".to_owned(), known);
         row(
             "distance",
             format!(

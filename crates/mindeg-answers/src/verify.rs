@@ -5,12 +5,15 @@ mod proof;
 use self::proof::in_words;
 use crate::demands::{Demands, WorstPlaces};
 use crate::interior::DegreeViolation;
-use crate::numbers::{count, four_digits, percent, steady_angle};
+use crate::numbers::{count, number, percent, steady_angle};
 use mindeg::exact::{self, share_of};
 use mindeg::quality::TriangleQuality;
 use mindeg::verify::{MatchedPlane, MeshDefect, Optimality, VerifiedMesh};
 use mindeg::{Domain, Interior, Progress, TriMesh, interior};
 use serde::Serialize;
+
+/// Distances up to this many roundings of the largest coordinate are nothing.
+const ROUNDINGS: f64 = 4.0;
 
 /// Up to this many boundary points the largest possible angle is worked out.
 const MOST_VERTICES: u32 = 1_000_000;
@@ -54,6 +57,9 @@ struct Found {
     reversed: bool,
     tolerance: f64,
     farthest: f64,
+    /// What rounding alone moves a point of this size: less is written as 0.
+    #[serde(skip)]
+    rounding: f64,
     boundary_vertices: usize,
     /// The points of the domain inside, on lines too.
     given_points: usize,
@@ -147,8 +153,8 @@ impl VerifyAnswer {
             format!(
                 "{}; the farthest vertex is {} off (tolerance {})",
                 whole(found.boundary_vertices),
-                four_digits(found.farthest),
-                four_digits(found.tolerance)
+                number(if found.farthest <= found.rounding { 0.0 } else { found.farthest }),
+                number(found.tolerance)
             ),
         );
         if found.given_points > 0 {
@@ -262,6 +268,8 @@ impl Found {
             vertex: verified.vertex_of[point as usize],
             share,
         };
+        let sizes = verified.points.iter().map(|point| point.abs().max_element());
+        let largest = sizes.fold(0.0, f64::max);
         let violation = |point: &u32| DegreeViolation {
             vertex: verified.vertex_of[*point as usize],
             position: verified.points[*point as usize].to_array(),
@@ -280,6 +288,7 @@ impl Found {
             reversed: verified.is_reversed,
             tolerance: verified.tolerance,
             farthest: verified.farthest,
+            rounding: ROUNDINGS * f64::EPSILON * largest,
             boundary_vertices,
             given_points: verified.points.len() - verified.interior_points - boundary_vertices,
             interior_points: verified.interior_points,

@@ -10,6 +10,7 @@ use std::f64::consts::{PI, TAU};
 
 use glam::DVec2;
 use kurbo::{CubicBez, ParamCurve, ParamCurveArclen, Point};
+use mindeg_mesh::number;
 
 use crate::error::{DomainError, Place};
 use crate::limits::{GREATEST_COORDINATE, LEAST_SIDE};
@@ -113,8 +114,9 @@ impl Path {
                 "the side has no length; move its points apart".to_owned()
             } else {
                 format!(
-                    "its points are {size:.1e} apart at most; a side is at least {LEAST_SIDE:e} \
-                     long: use another unit of length"
+                    "its points are {} apart at most; a side is at least {LEAST_SIDE:e} long: use another unit \
+                     of length",
+                    number(size)
                 )
             };
             return Err(Place::key("points").error(message));
@@ -416,7 +418,7 @@ mod tests {
         let refused = Path::new(&cubic, DVec2::ZERO, DVec2::ZERO).err();
         assert_eq!(
             refused.unwrap().message,
-            "its points are 3.6e-307 apart at most; a side is at least 1e-100 long: use another unit of length"
+            "its points are 3.56e-307 apart at most; a side is at least 1e-100 long: use another unit of length"
         );
     }
 }

@@ -397,7 +397,7 @@ mod tests {
                     &clockwise.map(|[x, y]| [x + 1e8, y + 1e8]),
                     with(1, Side::count(36).spaced(Spacing::Geometric { ratio: 2.0 })),
                 ),
-                "side 2: its shortest interval is 4.6e-11 long, too short to be told from nothing at the size of the side's coordinates; use fewer intervals or a gentler law, or move the domain towards the origin",
+                "side 2: its shortest interval is 4.602e-11 long, too short to be told from nothing at the size of the side's coordinates; use fewer intervals or a gentler law, or move the domain towards the origin",
             ),
             (
                 polygon(

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use glam::DVec2;
-use mindeg_mesh::{LineKind, significant};
+use mindeg_mesh::{LineKind, number};
 
 use crate::build::DomainBuilder;
 use crate::domain::Domain;
@@ -246,7 +246,7 @@ impl Domain {
                  boundary, x (longitude) first",
                 end.x,
                 end.y,
-                significant(distance, 4)
+                number(distance)
             ));
         }
         Ok(())

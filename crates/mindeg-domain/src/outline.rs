@@ -4,8 +4,8 @@
 //! cross is checked later, on all points (`intersection.rs`).
 
 use glam::DVec2;
+use mindeg_mesh::number;
 use mindeg_mesh::planar::{InRing, ring_name};
-use mindeg_mesh::significant;
 
 use crate::curve::Curve;
 use crate::error::{DomainError, Place, counted};
@@ -129,8 +129,8 @@ fn check_distance(ring: usize, corners: &[DVec2], first: usize) -> Result<(), Do
         return error(format!(
             "{both} coincide: their distance is {}, and the minimum at these coordinates is {}; \
              drop one of them",
-            significant(distance, 2),
-            significant(least, 2)
+            number(distance),
+            number(least)
         ));
     }
     Ok(())
@@ -151,7 +151,7 @@ mod tests {
             (0, &[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 0.0]], "corners 4 and 1 are the same point (0.0, 0.0); give each corner once (the outline closes by itself)"),
             (3, &[[0.0, 0.0], [1.0, 0.0], [1.0, 0.0], [0.0, 3.0]], "corners 2 and 3 of hole 3 are the same point (1.0, 0.0); give each corner once (the hole closes by itself)"),
             (0, &[[0.0, 0.0], [1e-101, 0.0], [0.0, 1e-101]], "corners 1 and 2 coincide: their distance is 1e-101, and the minimum at these coordinates is 1e-100; drop one of them"),
-            (0, &[[0.0, 0.0], [4.0, 0.0], [4.0, 1e-17], [0.0, 3.0]], "corners 2 and 3 coincide: their distance is 1e-17, and the minimum at these coordinates is 7.1e-15; drop one of them"),
+            (0, &[[0.0, 0.0], [4.0, 0.0], [4.0, 1e-17], [0.0, 3.0]], "corners 2 and 3 coincide: their distance is 1e-17, and the minimum at these coordinates is 7.105e-15; drop one of them"),
         ];
         for (ring, corners, message) in table {
             let corners: Vec<DVec2> = corners.iter().copied().map(DVec2::from).collect();

@@ -7,7 +7,7 @@ use std::ops::Range;
 
 use glam::DVec2;
 use mindeg_mesh::planar::{InRing, ring_name};
-use mindeg_mesh::{Bounds, significant};
+use mindeg_mesh::{Bounds, number};
 
 use crate::curve::Curve;
 use crate::error::{DomainError, Place};
@@ -311,7 +311,7 @@ fn found_match(at: InRing, wanted: &SideMatch, given: &[Ring]) -> Result<Found, 
             "by",
             format!(
                 "the corners of {name:?}, moved, are {} away from those of this side{hint}",
-                significant(off, 4)
+                number(off)
             ),
         );
     }

@@ -8,8 +8,8 @@
 //! that rounding inverts it; meshing refuses to return such a triangle.
 
 use glam::{DVec2, DVec3};
+use mindeg_mesh::number;
 use mindeg_mesh::planar::{InRing, PlanarBoundary, doubled_area};
-use mindeg_mesh::significant;
 use mindeg_mesh::{Bounds, Positions};
 
 use crate::error::{DomainError, Place};
@@ -115,7 +115,7 @@ impl Placement {
                 "its shortest interval is {} long, too short to be told from nothing at the \
                  size of the side's coordinates; use fewer intervals or a gentler law, or move the \
                  domain towards the origin",
-                significant(length, 2)
+                number(length)
             ))
             .of_side(side))
     }
@@ -144,7 +144,7 @@ impl Placement {
                          to be told apart at the size of the coordinates; make the intervals there \
                          longer or the angle larger, or move the domain towards the origin",
                     corner.corner(),
-                    significant(distance, 2)
+                    number(distance)
                 )));
             }
         }
@@ -159,9 +159,9 @@ impl Placement {
         let DVec2 { x, y } = self.point(vertex as u32);
         Err(Place::corners(self.rings.ring_of(vertex as u32)).error(format!(
             "vertex {vertex} is at ({x:?}, {y:?}); the coordinates of a domain that is not convex \
-                 are 0 or of magnitude {:.1e} to {:.1e}: use another unit of length",
-            EXACT_COORDINATES.start(),
-            EXACT_COORDINATES.end()
+                 are 0 or of magnitude {} to {}: use another unit of length",
+            number(*EXACT_COORDINATES.start()),
+            number(*EXACT_COORDINATES.end())
         )))
     }
 
@@ -445,7 +445,7 @@ mod tests {
         assert!(place(&far(1e5), &dense, 4).is_ok());
         let refused = place(&far(1e7), &dense, 4).unwrap_err();
         assert_eq!(refused.place.to_string(), "sides[0].spacing");
-        assert!(refused.message.contains("is 1e-9 long"), "{refused}");
+        assert!(refused.message.contains("is 9.99e-10 long"), "{refused}");
 
         let needle = |width: f64| [[0.0, 0.0], [1.0, 0.0], [1.0, width]];
         assert!(place(&needle(1e-9), &Spacing::Uniform, 10).is_ok());

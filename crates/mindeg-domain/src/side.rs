@@ -5,7 +5,7 @@
 use glam::DVec2;
 use mindeg_core::MAX_VERTICES;
 use mindeg_mesh::LineKind;
-use mindeg_mesh::significant;
+use mindeg_mesh::number;
 
 use crate::curve::Curve;
 use crate::error::{DomainError, Place};
@@ -127,7 +127,7 @@ impl Intervals {
                     return Err(Place::key("size").error(format!(
                         "the size {size:?} makes {} intervals, and a boundary has at most \
                          {MAX_VERTICES} vertices; give a larger size",
-                        significant(intervals, 2)
+                        number(intervals)
                     )));
                 }
                 Ok(intervals as u64)

@@ -19,6 +19,7 @@ use self::curves::{Crowding, Progression, Stretching};
 use crate::error::{DomainError, Place, counted};
 use crate::limits::LEAST_SHARE;
 use crate::spacing::Spacing;
+use mindeg_mesh::number;
 
 /// A spacing law solved for a side: point `i` of `m` intervals lies at `parameter(i)` of the
 /// side's length, from exactly 0 at `i = 0` to exactly 1 at `i = m`, strictly increasing.
@@ -97,9 +98,10 @@ impl SpacingLaw {
             Ok(law)
         } else {
             Err(error(format!(
-                "interval {} of {intervals} would be {share:.1e} of the side's length, less than \
-                 {LEAST_SHARE:e}; use fewer intervals or a gentler law",
-                interval + 1
+                "interval {} of {intervals} would be {} of the side's length, less than {LEAST_SHARE:e}; use \
+                 fewer intervals or a gentler law",
+                interval + 1,
+                number(share)
             )))
         }
     }
@@ -424,18 +426,18 @@ mod tests {
             (
                 Spacing::Geometric { ratio: 1.5 },
                 5000,
-                &format!("interval 1 of 5000 would be 0.0e0 {least}"),
+                &format!("interval 1 of 5000 would be 0 {least}"),
             ),
             (
                 Spacing::Geometric { ratio: 1e-300 },
                 2,
-                &format!("interval 2 of 2 would be 0.0e0 {least}"),
+                &format!("interval 2 of 2 would be 0 {least}"),
             ),
-            (Spacing::Bump { ratio: 1e300 }, 5, &format!("interval 3 of 5 would be 0.0e0 {least}")),
+            (Spacing::Bump { ratio: 1e300 }, 5, &format!("interval 3 of 5 would be 0 {least}")),
             (
                 Spacing::FirstLength(f64::MIN_POSITIVE),
                 3,
-                &format!("interval 1 of 3 would be 5.6e-309 {least}"),
+                &format!("interval 1 of 3 would be 5.563e-309 {least}"),
             ),
         ] {
             let error = SpacingLaw::solve(&spacing, m, 4.0).unwrap_err();

@@ -1,5 +1,5 @@
 // The curve: the largest minimum angle over the maximum degree, to click on, and the same as buttons.
-// From the viewer's script: angleText.
+// From the viewer's script: angleText, percent.
 
 const NAMESPACE = "http://www.w3.org/2000/svg";
 const [WIDTH, HEIGHT] = [380, 180];
@@ -10,14 +10,6 @@ function draw(tag, attributes, text) {
   for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
   if (text !== undefined) made.textContent = text;
   return made;
-}
-
-/** As the same shares are written everywhere, by `percent` of mindeg-answers. */
-export function percent(share) {
-  const whole = Math.round(100 * share);
-  if (Math.abs(100 * share - whole) < 1e-9 && (whole || !share)) return `${whole}%`;
-  if (share < 0.001) return "<0.1%";
-  return share > 0.999 && share < 1 ? ">99.9%" : `${(100 * share).toFixed(1)}%`;
 }
 
 /** So many degrees are listed at once, and have large points on the curve. */

@@ -1,7 +1,7 @@
 // Puts what the server says into the page.
-// From the viewer's script: DEGREE_COLORS, angleText, make and the charts.
+// From the viewer's script: DEGREE_COLORS, angleText, percent, make and the charts.
 
-import { listedPoints, percent, showCurve } from "./curve.js";
+import { listedPoints, showCurve } from "./curve.js";
 import { namedPlaces } from "./names.js";
 import { canRedo, canUndo, selection, shown, state } from "./state.js";
 

@@ -7,8 +7,8 @@ use glam::DVec2;
 use mindeg_delaunay::DelaunayError;
 use mindeg_domain::{DomainError, Interior, Size, SizeAt, SizeFile, SizeFrom};
 use mindeg_mesh::Cancelled;
+use mindeg_mesh::number;
 use mindeg_mesh::planar::{BoundaryFaults, PlanarBoundary};
-use mindeg_mesh::significant;
 use std::collections::BTreeMap;
 use std::ops::{Range, RangeInclusive};
 use thiserror::Error;
@@ -146,7 +146,8 @@ pub enum InteriorError {
     },
     /// A target that is proven impossible.
     #[error(
-        "a minimum angle of {target} degrees is impossible: the boundary at vertex {vertex} allows at most {limit:.3} degrees; lower the target, or make the interval lengths at this vertex more alike"
+        "a minimum angle of {target}° is impossible: the boundary at vertex {vertex} allows at most {angle}; lower the target, or make the interval lengths at this vertex more alike",
+        angle = mindeg_mesh::steady_angle(*limit)
     )]
     TargetAboveLimit {
         /// The angle wanted.
@@ -169,7 +170,7 @@ pub enum InteriorError {
         "no point fits at ({}, {}): edges there would be {} long, and the largest coordinate of \
          the boundary is rounded to {}; move the domain towards the origin, or mesh it \
          without interior points",
-        at[0], at[1], significant(*size, 4), significant(*rounding, 2)
+        at[0], at[1], number(*size), number(*rounding)
     )]
     NoRoom {
         /// The place.

@@ -4,7 +4,7 @@
 //! are those of all points that a fill rule counts as inside; they do not overlap. A hole may touch another
 //! ring of its polygon at vertices.
 
-use mindeg_mesh::significant;
+use mindeg_mesh::number;
 use std::collections::BTreeSet;
 
 use glam::DVec2;
@@ -101,7 +101,7 @@ impl Outlines {
             };
             self.notes.push(format!(
                 "moved {vertices} of touching holes by {} at most, at {}",
-                significant(*far, 3),
+                number(*far),
                 shown(*at)
             ));
         }

@@ -1,7 +1,7 @@
 //! The sea between lands: what polygons leave of a box.
 
 use glam::DVec2;
-use mindeg_mesh::Bounds;
+use mindeg_mesh::{Bounds, percent};
 use std::iter::once;
 
 use super::outline::{DrawnRing, Feature, FillRule, Outlines};
@@ -69,9 +69,9 @@ impl Outlines {
         let (largest, rings) = parts.next().ok_or_else(|| bad("polygons cover it".to_owned()))?;
         if let Some((second, _)) = parts.next() {
             self.notes.push(format!(
-                "left out {} of the box that no polygon covers, with {:.2} % of the area of the largest at most",
+                "left out {} of the box that no polygon covers, with {} of the area of the largest at most",
                 counted(parts.len() + 1, "other part"),
-                100.0 * second / largest
+                percent(second / largest)
             ));
         }
         if !self.inside.is_empty() {
@@ -122,9 +122,7 @@ mod tests {
         assert!(starts(&only.rings[0]).contains(&DVec2::new(4.0, 4.1)));
         let [note] = &found.notes[..] else { panic!("{:?}", found.notes) };
         assert!(
-            note.starts_with(
-                "left out 1 other part of the box that no polygon covers, with 0.76 %"
-            ),
+            note.starts_with("left out 1 other part of the box that no polygon covers, with 0.8%"),
             "{note}"
         );
         // Nothing is near: the sea is the box.

@@ -3,7 +3,7 @@
 //! A side ends at a corner: where the ring turns by more than an angle, where the file begins a
 //! side, or where the name of the sides changes.
 
-use mindeg_mesh::significant;
+use mindeg_mesh::number;
 use std::ops::Range;
 use std::sync::Arc as Shared;
 
@@ -144,7 +144,7 @@ fn check_total(total: &mut f64, more: f64, size: f64) -> Result<(), OutlineError
     let points = *total;
     let problem = format!(
         "the size {size:?} makes {} points, and at most {MOST_POINTS} are stored; give a larger size",
-        significant(points, 2)
+        number(points)
     );
     Err(OutlineError::place("", problem))
 }

@@ -3,6 +3,7 @@
 use pyo3::prelude::*;
 
 use crate::mesh::Mesh;
+use mindeg_answers::numbers::{percent, steady_angle};
 
 /// The least maximum degree of a domain, and why it is no less.
 #[pyclass(module = "mindeg", frozen, get_all)]
@@ -45,8 +46,10 @@ pub(crate) struct TradeOffPoint {
 impl TradeOffPoint {
     fn __repr__(&self) -> String {
         format!(
-            "<mindeg.TradeOffPoint max_degree={} min_angle={:.3} share_of_limit={:.3}>",
-            self.max_degree, self.min_angle, self.share_of_limit
+            "<mindeg.TradeOffPoint max_degree={} min_angle={} share_of_limit={}>",
+            self.max_degree,
+            steady_angle(self.min_angle),
+            percent(self.share_of_limit)
         )
     }
 }

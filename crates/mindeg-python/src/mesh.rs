@@ -8,7 +8,7 @@ use mindeg::glam::DVec3;
 use mindeg::quality::TriangleQuality;
 use mindeg::{Group, Mesh as AnyMesh, Positions, Projection, TriMesh};
 use mindeg_answers::demands::Demands;
-use mindeg_answers::numbers::triangles;
+use mindeg_answers::numbers::{steady_angle, triangles};
 use mindeg_files::{Input, Session, svg};
 use mindeg_mesh::{ByName, PeriodicLine, filled};
 use numpy::{PyArray1, PyArray2};
@@ -285,13 +285,13 @@ impl Mesh {
 
     fn __repr__(&self) -> String {
         format!(
-            "<mindeg.Mesh {}{} vertices, {}, maximum degree {}, angles {:.3}° to {:.3}°>",
+            "<mindeg.Mesh {}{} vertices, {}, maximum degree {}, angles {} to {}>",
             self.mesh.name().map(|name| format!("{name}: ")).unwrap_or_default(),
             self.mesh.vertex_count(),
             triangles(self.mesh.triangle_count()),
             self.mesh.max_degree(),
-            self.angles()[0],
-            self.angles()[1],
+            steady_angle(self.angles()[0]),
+            steady_angle(self.angles()[1]),
         )
     }
 

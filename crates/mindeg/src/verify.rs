@@ -43,8 +43,6 @@ mod together;
 mod triangulation;
 
 pub use defect::MeshDefect;
-#[cfg(feature = "interior")]
-pub(crate) use defect::short;
 pub use degrees::ProvenDegree;
 pub use matching::{DEFAULT_TOLERANCE, MatchedPlane, VerifiedMesh};
 pub use optimality::{Optimality, checked_proof, optimality, optimality_by};

@@ -90,7 +90,7 @@ fn a_mesh_with_a_triangle_within_the_tolerance_is_not_counted_and_told_why() {
     };
     assert_eq!(
         refusal(&read, &domain),
-        "triangle 0 (vertices 0, 1, 2) near (0.36667, 0.23333) has no area: all its vertices are on side \
+        "triangle 0 (vertices 0, 1, 2) near (0.366667, 0.233333) has no area: all its vertices are on side \
          1, where a turn of less than 1e-9 radians counts as straight"
     );
     // A notch whose tip a chord passes by a hair.
@@ -100,7 +100,7 @@ fn a_mesh_with_a_triangle_within_the_tolerance_is_not_counted_and_told_why() {
     let passing = vec![[0, 1, 2], [0, 2, 4], [2, 3, 4], [0, 4, 5]];
     assert_eq!(
         refusal(&TriMesh::new(positions.clone(), passing).unwrap(), &notched),
-        "triangle 1 (vertices 0, 2, 4) near (2, 3.333e-12) has no area: vertex 4 is on its edge from 0 to \
+        "triangle 1 (vertices 0, 2, 4) near (2, 3.33333e-12) has no area: vertex 4 is on its edge from 0 to \
          2, where a turn of less than 1e-9 radians counts as straight"
     );
     let other = vec![[0, 1, 4], [1, 2, 4], [2, 3, 4], [0, 4, 5]];

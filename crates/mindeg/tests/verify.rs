@@ -383,7 +383,7 @@ fn defects_say_what_and_where() {
         (
             message(&beside_unused, &star),
             "no vertex is at boundary point 2 on side 3, (2, 2): the nearest, vertex 2, is 0.5 away, \
-             and 2.000e-6 is the tolerance",
+             and 2e-6 is the tolerance",
         ),
         (
             message(&lifted, &star),
@@ -391,32 +391,32 @@ fn defects_say_what_and_where() {
         ),
         (
             message(&moved, &star),
-            "no vertex is at boundary point 2 on side 3, (2, 2): the nearest, vertex 2, is 1.000e-5 away, \
-             and 2.000e-6 is the tolerance; if the mesh was rounded, give a larger --tolerance",
+            "no vertex is at boundary point 2 on side 3, (2, 2): the nearest, vertex 2, is 0.00001 away, \
+             and 2e-6 is the tolerance; if the mesh was rounded, give a larger --tolerance",
         ),
         (
             message(&far, &star),
             "no vertex is at boundary point 2 on side 3, (2, 2): the nearest, vertex 2, is 0.5 away, \
-             and 2.000e-6 is the tolerance",
+             and 2e-6 is the tolerance",
         ),
         (
             message(&points.map(|point| point * 1000.0), &star),
             "no vertex is at boundary point 1 on side 2, (2, 0): the nearest, vertex 0, is 2 away, and \
-             2.000e-6 is the tolerance; the mesh is 1000 times as large as the domain: is its unit \
+             2e-6 is the tolerance; the mesh is 1000 times as large as the domain: is its unit \
              another one?",
         ),
         (
             message(&points.map(|point| point + DVec3::new(0.0, 5.0, 0.0)), &star),
             "no vertex is at boundary point 0 on side 1, (0, 0): the nearest, vertex 0, is 5 away, and \
-             2.000e-6 is the tolerance; the mesh seems to be moved by (0, 5)",
+             2e-6 is the tolerance; the mesh seems to be moved by (0, 5)",
         ),
         (
             message(&points, &[star[0], star[1], star[2], [3, 0, 0]]),
-            "triangle 3 (vertices 3, 0, 0) near (0, 0.66667) has two corners in one place",
+            "triangle 3 (vertices 3, 0, 0) near (0, 0.666667) has two corners in one place",
         ),
         (
             message(&points, &[star[0], star[1], star[2], star[3], [2, 4, 1]]),
-            "triangle 4 (vertices 2, 4, 1) near (1.667, 1) has the same vertices as triangle 1",
+            "triangle 4 (vertices 2, 4, 1) near (1.66667, 1) has the same vertices as triangle 1",
         ),
         (
             message(&points, &[[0, 1, 5], [0, 5, 4], [5, 1, 4], star[1], star[2], star[3]]),
@@ -424,7 +424,7 @@ fn defects_say_what_and_where() {
         ),
         (
             message(&points, &[star[0], star[1], star[2], [0, 3, 4]]),
-            "triangle 3 (vertices 0, 3, 4) near (0.33333, 1) is turned over: it runs the other way round \
+            "triangle 3 (vertices 0, 3, 4) near (0.333333, 1) is turned over: it runs the other way round \
              than the others",
         ),
         (

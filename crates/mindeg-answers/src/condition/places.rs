@@ -2,7 +2,7 @@
 
 use mindeg::Domain;
 use mindeg::glam::DVec2;
-use mindeg_mesh::significant;
+use mindeg_mesh::number;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -43,7 +43,7 @@ impl ShortestEdge {
     /// A sentence on it, if it is much shorter than most.
     pub(super) fn words(&self) -> Option<String> {
         let unit = if self.degrees.is_some() { " m" } else { "" };
-        let [length, median] = [self.length, self.median].map(|it| significant(it, 4));
+        let [length, median] = [self.length, self.median].map(number);
         let place = place_in_words(self.degrees, self.at);
         (self.length < SHORT * self.median).then(|| {
             format!(

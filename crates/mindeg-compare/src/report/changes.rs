@@ -17,7 +17,7 @@ use askama::Template;
 use glam::DVec2;
 use mindeg::{Bounds, Domain};
 use mindeg_answers::condition::ConditionAnswer;
-use mindeg_answers::numbers::{count, four_digits, steady_angle};
+use mindeg_answers::numbers::{count, number, steady_angle};
 use mindeg_formats::one_line;
 use mindeg_formats::svg::{Inset, STYLE};
 use std::fmt::Write as _;
@@ -138,7 +138,7 @@ pub fn write_changes_svg(
         "{} boundary points become {}, moved by {}{} at most · a mesh can have {}, {} before",
         count(answer.points_before),
         count(answer.points),
-        four_digits(answer.moved),
+        number(answer.moved),
         if after.iter().any(|domain| domain.projection().is_some()) { " m" } else { "" },
         steady_angle(answer.angle_limit),
         steady_angle(answer.angle_limit_before),

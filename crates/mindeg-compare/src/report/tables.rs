@@ -14,7 +14,7 @@ use crate::{InteriorFigures, Method};
 use mindeg::quality::Distribution;
 use mindeg_answers::advice::Purpose;
 use mindeg_answers::measures::SHOWN;
-use mindeg_answers::numbers::{Column, count, milliseconds, percent, steady_angle};
+use mindeg_answers::numbers::{Column, count, milliseconds, number, percent, steady_angle};
 use std::ops::RangeInclusive;
 
 /// Text in rows and columns; the first column names the row.
@@ -136,7 +136,7 @@ pub(crate) fn interior(report: &Report) -> Option<Table> {
             degree(figures.max_interior_degree),
             degree(figures.max_boundary_degree),
             text(figures.violations, |violations| count(violations as u64)),
-            text(figures.grading_p99, |grading| format!("{grading:.2}")),
+            text(figures.grading_p99, number),
             text(figures.seconds, milliseconds),
         ]
     };

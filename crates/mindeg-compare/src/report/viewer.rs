@@ -12,6 +12,7 @@ pub(super) const STYLE: &str = include_str!("page.css");
 macro_rules! viewer {
     ($($more:literal),*) => {
         concat!(
+            include_str!("viewer/numbers.js"),
             include_str!("viewer/scene.js"),
             include_str!("viewer/paint.js"),
             include_str!("viewer/pick.js"),

@@ -1,6 +1,6 @@
 //! From corners, faces and divisions to a checked model.
 
-use mindeg_mesh::significant;
+use mindeg_mesh::number;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
@@ -219,8 +219,8 @@ fn plane(
             format!(
                 "is not planar: corner {corner} is {} off its plane, and the tolerance is {}; cut \
                  the face in triangles, or raise the tolerance",
-                significant(distance, 4),
-                significant(tolerance, 4)
+                number(distance),
+                number(tolerance)
             ),
         ));
     }
@@ -327,7 +327,7 @@ fn law(
         return Err(error(format!(
             "has intervals of {}, too short for its coordinates; use fewer intervals, or an origin \
              near the model",
-            significant(share * length, 2)
+            number(share * length)
         )));
     }
     Ok(law)

@@ -2,7 +2,7 @@
 
 use super::Model;
 use crate::error::{DomainError, Place};
-use mindeg_mesh::significant;
+use mindeg_mesh::number;
 
 /// The maximum number of items that a note names.
 const NAMED: usize = 6;
@@ -137,9 +137,9 @@ fn off_plane(model: &Model) -> Option<String> {
         format!(
             "{count} {noun} {verb} not quite planar: corners are up to {} off ({}), within the \
              tolerance of {}.",
-            significant(distance, 2),
+            number(distance),
             face_text(model, face),
-            significant(tolerance, 2)
+            number(tolerance)
         )
     })
 }

@@ -1,8 +1,8 @@
 //! Gaps between regions that are far longer than wide, as where a border was drawn twice.
 
 use glam::DVec2;
+use mindeg_mesh::number;
 use mindeg_mesh::planar::doubled_area;
-use mindeg_mesh::significant;
 
 use super::plane::Plane;
 use crate::curve::norm;
@@ -78,9 +78,9 @@ impl Gap {
         let problem = format!(
             "a gap {} wide and {} long is between {one} and {other}; --repair --snap {} closes it, --repair \
              alone keeps it",
-            significant(self.width, 2),
-            significant(self.length, 2),
-            significant(2.0 * self.width, 2)
+            number(self.width),
+            number(self.length),
+            number(2.0 * self.width)
         );
         OutlineError::place(shown(self.at), problem)
     }

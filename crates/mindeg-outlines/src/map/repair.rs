@@ -3,8 +3,8 @@
 //! Vertices that are nearer to each other than a tolerance become the first of them, and an edge that passes a vertex so
 //! near goes through it. A place that several polygons cover becomes that of the first.
 
+use mindeg_mesh::number;
 use mindeg_mesh::planar::doubled_area;
-use mindeg_mesh::significant;
 use std::collections::BTreeMap;
 
 use glam::DVec2;
@@ -165,7 +165,7 @@ impl Done {
         let mut said = Vec::new();
         if self.moved > 0 {
             let (points, farthest) = (counted(self.moved, "point"), self.farthest);
-            said.push(format!("moved {points} by {} at most", significant(farthest, 3)));
+            said.push(format!("moved {points} by {} at most", number(farthest)));
         }
         if self.added > 0 {
             said.push(format!("added {} where edges meet", counted(self.added, "point")));
@@ -186,7 +186,7 @@ impl Done {
                 covering.iter().take(2).map(|&index| name_of(features, index)).collect();
             said.push(format!(
                 "gave an area of {}, where polygons overlap, to the first of them: the most of it to {}, at {}",
-                significant(area, 3),
+                number(area),
                 names.join(", not "),
                 shown(*at)
             ));
@@ -201,7 +201,7 @@ impl Done {
         let tolerance = self.tolerance;
         format!(
             "repaired {count} together, with points nearer than {} as one: {}",
-            significant(tolerance, 3),
+            number(tolerance),
             said.join("; ")
         )
     }

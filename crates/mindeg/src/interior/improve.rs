@@ -1,6 +1,6 @@
 //! The optimiser on a planar mesh of any program, in any plane of space.
 
-use mindeg_mesh::significant;
+use mindeg_mesh::number;
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::error::MeshError;
@@ -188,8 +188,8 @@ fn plane(mesh: &TriMesh, positions: &[DVec3], triangles: &[[u32; 3]]) -> Result<
         Some((distance, vertex)) if distance > tolerance => Err(MeshError::Refused(format!(
             "the mesh is not planar: vertex {vertex} (counted from 0) is {} off the plane of the \
              others; the tolerance is {}",
-            significant(distance, 4),
-            significant(tolerance, 4)
+            number(distance),
+            number(tolerance)
         ))),
         _ => Ok(plane),
     }

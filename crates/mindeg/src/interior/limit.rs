@@ -5,7 +5,7 @@ use std::fmt;
 use mindeg_domain::{Domain, InRing, Interior};
 use mindeg_interior::InteriorError;
 use mindeg_interior::limits::{Limits, TentLimit};
-use mindeg_mesh::significant;
+use mindeg_mesh::{number, steady_angle};
 
 use super::posed::Posed;
 
@@ -77,7 +77,7 @@ pub enum Cause {
 /// let domain = Domain::rectangle(4.0, 3.0, [12, 9, 2, 9].map(Side::count).into())?;
 /// let limit = interior::angle_limit(&domain, &Interior::default())?;
 /// let cause = limit.cause.to_string();
-/// assert_eq!(cause, "corner 3 (vertex 21), where intervals of 0.3333 and 2 meet at 90°");
+/// assert_eq!(cause, "corner 3 (vertex 21), where intervals of 0.3333 and 2 meet at 90.000°");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn angle_limit(domain: &Domain, wanted: &Interior) -> Result<AngleLimit, InteriorError> {
@@ -162,16 +162,16 @@ impl fmt::Display for Cause {
         match self {
             Self::Corner { name, vertex, angle, lengths: [before, after], .. } => write!(
                 f,
-                "{name} (vertex {vertex}), where intervals of {} and {} meet at {}°",
-                significant(*before, 4),
-                significant(*after, 4),
-                significant(*angle, 4)
+                "{name} (vertex {vertex}), where intervals of {} and {} meet at {}",
+                number(*before),
+                number(*after),
+                steady_angle(*angle)
             ),
             Self::Vertex { name, vertex, lengths: [before, after], .. } => write!(
                 f,
                 "vertex {vertex} on {name}, where intervals of {} and {} meet",
-                significant(*before, 4),
-                significant(*after, 4)
+                number(*before),
+                number(*after)
             ),
             Self::Facing { names: [first, second], vertices: [v, w], .. } => write!(
                 f,
@@ -198,7 +198,7 @@ mod tests {
             (
                 limit(100.0, 40.0, [1000, 3, 5, 2].map(Side::count)),
                 7.68,
-                "corner 1 (vertex 0), where intervals of 20 and 0.1 meet at 90°",
+                "corner 1 (vertex 0), where intervals of 20 and 0.1 meet at 90.000°",
             ),
             (
                 limit(40.0, 0.2, [100, 1, 100, 1].map(Side::count)),

@@ -2,12 +2,12 @@
 
 use mindeg_interior::{RemeshError, RemeshReport};
 use mindeg_mesh::distance::DistanceBound;
-use mindeg_mesh::{Cancelled, TriMesh, TriMeshError};
+use mindeg_mesh::{Cancelled, TriMesh, TriMeshError, number};
 use mindeg_surfaces::SurfaceError;
 
 use crate::error::MeshError;
 use crate::repair::Repairs;
-use crate::verify::{MeshDefect, VerifiedSurface, short};
+use crate::verify::{MeshDefect, VerifiedSurface};
 
 /// A mesh of a surface, and what it is like.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,8 +52,8 @@ impl RemeshedPart {
         let curves = self.tolerance.filter(is_far).map(|tolerance| {
             let message = format!(
                 "feature curves are off by up to {}; the tolerance is {}",
-                short(farthest),
-                short(tolerance)
+                number(farthest),
+                number(tolerance)
             );
             MeshDefect::new("features", message)
         });

@@ -1,6 +1,7 @@
 //! The defects that keep a mesh from being a triangulation of a domain, in words.
 
 use glam::{DVec2, DVec3};
+use mindeg_mesh::coordinate;
 
 /// Why a mesh is not a triangulation of a domain. Vertices and triangles have the indices of the mesh, from
 /// 0; boundary points those of the domain, from 0.
@@ -33,24 +34,12 @@ impl MeshDefect {
 /// The turn that counts as straight, in words.
 pub(super) const STRAIGHT: &str = "a turn of less than 1e-9 radians counts as straight";
 
-/// A number with the digits that a reader needs.
-pub(crate) fn short(value: f64) -> String {
-    let size = value.abs();
-    if size != 0.0 && !(1e-3..1e6).contains(&size) {
-        return format!("{value:.3e}");
-    }
-    let places = if (1e-3..1.0).contains(&size) { 5 } else { 3 };
-    let text = format!("{value:.places$}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" { "0" } else { text }.to_owned()
-}
-
 /// A point of the domain's plane.
 pub(super) fn at(point: DVec2) -> String {
-    format!("({}, {})", short(point.x), short(point.y))
+    format!("({}, {})", coordinate(point.x), coordinate(point.y))
 }
 
 /// A point in space.
 pub(super) fn in_space(place: DVec3) -> String {
-    format!("({}, {}, {})", short(place.x), short(place.y), short(place.z))
+    format!("({}, {}, {})", coordinate(place.x), coordinate(place.y), coordinate(place.z))
 }

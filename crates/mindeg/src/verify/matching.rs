@@ -4,11 +4,11 @@ use std::borrow::Cow;
 
 use glam::{DVec2, DVec3};
 use mindeg_domain::Domain;
-use mindeg_mesh::TriMesh;
 use mindeg_mesh::planar::PlanarBoundary;
 use mindeg_mesh::weld;
+use mindeg_mesh::{TriMesh, number};
 
-use super::defect::{self, MeshDefect, short};
+use super::defect::{self, MeshDefect};
 use super::near::Near;
 use crate::boundary_mesh::points_of;
 
@@ -92,8 +92,8 @@ pub(super) fn tolerance_of(
                 format!(
                     "a tolerance of {} is too large: the shortest interval is {} long; give less than \
                      half of that",
-                    short(tolerance),
-                    short(shortest)
+                    number(tolerance),
+                    number(shortest)
                 ),
             ))
         };
@@ -148,7 +148,7 @@ pub(super) fn matched(
     let floor = used().next().map_or(0.0, height);
     if let Some(vertex) = used().find(|&vertex| (height(vertex) - floor).abs() > tolerance) {
         let off = (height(vertex) - floor).abs();
-        let off = short(off);
+        let off = number(off);
         return Err(MeshDefect::new(
             "not_planar",
             format!(
@@ -252,8 +252,8 @@ fn no_vertex(
              away, and {} is the tolerance{hint}",
             place(domain, missing as u32),
             defect::at(at),
-            short(distance),
-            short(tolerance)
+            number(distance),
+            number(tolerance)
         ),
     )
 }
@@ -277,7 +277,7 @@ fn change([domain, mesh]: [DVec2; 2], ratio: DVec2, tolerance: f64) -> Option<St
     let is_scaled = (ratio.x - ratio.y).abs() <= 1e-3 * ratio.x;
     let is_same = (ratio - 1.0).abs().max_element() <= 1e-3;
     if is_scaled && !is_same {
-        let by = short(ratio.x);
+        let by = number(ratio.x);
         return Some(format!(
             "; the mesh is {by} times as large as the domain: is its unit another one?"
         ));

@@ -11,9 +11,9 @@ use mindeg_mesh::distance::{DistanceBound, distance_bound, distance_to};
 use mindeg_mesh::inspection::{Inspection, InspectionOptions, VertexDegree};
 use mindeg_mesh::parallel::map_chunks;
 use mindeg_mesh::quality::TriangleQuality;
-use mindeg_mesh::{Bounds, BoxTree, Cancelled, Progress, TriMesh};
+use mindeg_mesh::{Bounds, BoxTree, Cancelled, Progress, TriMesh, number};
 
-use super::defect::{MeshDefect, in_space, short};
+use super::defect::{MeshDefect, in_space};
 use super::degrees::{Degrees, ProvenDegree};
 use super::rules::SurfaceRules;
 use super::sides::{Sides, check_kept};
@@ -105,13 +105,13 @@ pub fn surface(
             let message = match bound.lower > tolerance {
                 true => format!(
                     "{what} by {}, at {place}; the tolerance is {}",
-                    short(bound.lower),
-                    short(rules.tolerance)
+                    number(bound.lower),
+                    number(rules.tolerance)
                 ),
                 false => format!(
                     "{what} by at most {}, near {place}; that it keeps the tolerance of {} is not proven",
-                    short(bound.upper),
-                    short(rules.tolerance)
+                    number(bound.upper),
+                    number(rules.tolerance)
                 ),
             };
             defects.push(MeshDefect::new(kind, message));

@@ -5,7 +5,7 @@ use super::lines::{Chain, Nearest, distance_to};
 use glam::DVec2;
 use mindeg::Bounds;
 use mindeg_answers::condition::ConditionAnswer;
-use mindeg_answers::numbers::{four_digits, steady_angle};
+use mindeg_answers::numbers::{number, steady_angle};
 use mindeg_formats::svg::Inset;
 use std::fmt::Write as _;
 
@@ -77,17 +77,17 @@ pub(super) fn marks(
         let at = inset.place(at.into());
         Mark { kind, number: None, at, way: [0.0; 2], radius: RADIUS, note: String::new(), tip }
     };
-    let changes = (1..).zip(&answer.changes).map(|(number, row)| {
+    let changes = (1..).zip(&answer.changes).map(|(place, row)| {
         let mut own = mark(row.kind, row.at, String::new());
-        own.number = Some(number);
-        own.tip = format!("{number}: {} {}", KINDS[own.kind].2, words(row.at, row.degrees));
+        own.number = Some(place);
+        own.tip = format!("{place}: {} {}", KINDS[own.kind].2, words(row.at, row.degrees));
         let way = nearest.of(row.at.into()).filter(|_| row.kind != "inserted");
         if let Some((chain, index, distance)) = way {
             let ends = [placed[chain][index], placed[chain][index + 1]];
             own.way = [distance, distance_to(own.at, ends)];
             let unit = if row.degrees.is_some() { " m" } else { "" };
-            own.note = format!("moved {}{unit}", four_digits(distance));
-            let _ = write!(own.tip, ", {}{unit} from the new line", four_digits(distance));
+            own.note = format!("moved {}{unit}", number(distance));
+            let _ = write!(own.tip, ", {}{unit} from the new line", number(distance));
         }
         own
     });

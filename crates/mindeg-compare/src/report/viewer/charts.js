@@ -26,7 +26,7 @@ function showMetricLegend(legend, measure) {
   // An end that was chosen, such as 60°, has no decimals.
   const isRound = (value) => Number.isInteger(10 * value);
   const unit = measure.unit === "degrees" ? "°" : "";
-  const [from, to] = measure.range.map((value) => (isRound(value) ? short(value) + unit : valueText(value, measure)));
+  const [from, to] = measure.range.map((value) => (isRound(value) ? numberText(value) + unit : valueText(value, measure)));
   const [hasLess, hasMore] = measure.goes_beyond;
   const ramp = make("span", measure.higher_is_better ? "ramp" : "ramp rising");
   const direction = measure.higher_is_better ? "higher is better" : "lower is better";
@@ -121,7 +121,7 @@ function ticks(measure) {
 function showMetricChart(chart, measure, rows, colors) {
   const [from, to] = measure.range;
   const most = Math.max(...rows.flatMap(({ counts }) => [...counts]));
-  const edge = (share) => short(measure.logarithmic
+  const edge = (share) => numberText(measure.logarithmic
     ? from * (to / from) ** share
     : from + (to - from) * share);
   const unit = measure.unit === "1" ? "" : ` ${measure.unit}`;
@@ -147,7 +147,7 @@ function showMetricChart(chart, measure, rows, colors) {
   });
   const axis = make("div", "scale ticks");
   for (const value of ticks(measure)) {
-    const tick = make("span", "", short(value));
+    const tick = make("span", "", numberText(value));
     tick.style.left = 100 * position(measure, value) + "%";
     axis.append(tick);
   }

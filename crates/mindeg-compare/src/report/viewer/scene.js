@@ -1,5 +1,3 @@
-"use strict";
-
 // The scene, where a picture looks, and the colors. Nothing here or in paint.js and pick.js needs a
 // document, so that a worker can draw, too.
 //
@@ -21,16 +19,8 @@ const DENSE = 4;
 /** Vertices with more edges are poles, as for `mindeg inspect`. */
 const POLE = 8;
 
-const short = (value) => (Number.isFinite(value) ? String(Number(value.toPrecision(4))) : "∞");
-
-/** An angle as all of mindeg writes it: to three decimals, and one too small for them to four digits. */
-function angleText(degrees) {
-  if (degrees >= 0.1 || degrees === 0) return `${degrees.toFixed(3)}°`;
-  return `${Number(degrees.toPrecision(4))}°`;
-}
-
 /** A value of a measure with its unit. */
-const valueText = (value, { unit }) => (unit === "degrees" ? angleText(value) : short(value));
+const valueText = (value, { unit }) => (unit === "degrees" ? angleText(value) : numberText(value));
 
 /** The numbers in a base64 string of little-endian bytes. */
 function unpack(text, Kind) {
