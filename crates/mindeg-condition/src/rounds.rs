@@ -114,7 +114,9 @@ where
     let before = Chains::new(boundary, given, demands.least_triangles).limit_of_all();
     let mut stage = Stage::first(boundary);
     let mut last: Option<(Conditioned, Vec<Past>)> = None;
-    for round in 1.. {
+    let mut round = 0;
+    loop {
+        round += 1;
         let hold = |edge: u32| stage.hold(given, edge);
         let has_domain = |edge: u32| (given.has_domain)(stage.given_edge(edge));
         let (width, marks) = (demands.narrowest, given.marks);
@@ -158,5 +160,4 @@ where
         last = Some((Conditioned { rings, lines, changes, narrow, before, moved, ..found }, own));
         stage = next;
     }
-    unreachable!("rounds end")
 }
