@@ -91,7 +91,7 @@ pub fn condition_map(
     demands.check()?;
     let given = Given { hold, has_domain, is_straight, marks };
     if demands.narrowest == 0.0 {
-        return Ok(round::of_wide(boundary, demands, &given, None)?.0);
+        return Ok(round::of_wide(boundary, demands, &given, None)?.found);
     }
     rounds::of_narrow(boundary, demands, &given)
 }

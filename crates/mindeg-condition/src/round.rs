@@ -14,13 +14,21 @@ use std::collections::{BTreeMap, BTreeSet};
 /// short edge.
 const WORTH_POINTS: f64 = 0.9;
 
+/// A round's boundary, with all that a later round takes from it.
+pub(crate) struct Round {
+    pub(crate) found: Conditioned,
+    pub(crate) past: Vec<Past>,
+    /// The boundary as it was proven, and each of its vertices as a point of the old one.
+    pub(crate) checked: (PlanarBoundary, Vec<Point>),
+}
+
 /// [`crate::condition_map`] without a least width. With what the boundary has of an earlier round, only what does not have the demands changes.
 pub(crate) fn of_wide<H, D, S>(
     boundary: &PlanarBoundary,
     demands: &BoundaryDemands,
     given: &Given<'_, H, D, S>,
     past: Option<&[Past]>,
-) -> Result<(Conditioned, Vec<Past>), ConditionError>
+) -> Result<Round, ConditionError>
 where
     H: Fn(u32) -> Hold,
     D: Fn(u32) -> [bool; 2],
@@ -62,7 +70,7 @@ where
         }
     }
     let (rings, lines) = chains.points();
-    checked(boundary, &rings, &lines)?;
+    let checked = checked(boundary, &rings, &lines)?;
     let (after, mut left, moved) = (chains.limit_of_all(), chains.left(demands), chains.moved());
     left.extend(narrow_inlets);
     let (distances, past) = (chains.distances(), chains.past());
@@ -70,7 +78,8 @@ where
     for change in &mut changes {
         change.moved = distances.get(&change.at.to_array().map(f64::to_bits)).copied();
     }
-    Ok((Conditioned { rings, lines, changes, left, narrow, before, after, moved }, past))
+    let found = Conditioned { rings, lines, changes, left, narrow, before, after, moved };
+    Ok(Round { found, past, checked })
 }
 
 /// Proves the new boundary by the exact sweep. Gives it, and each of its vertices as a point of the old one.

@@ -7,7 +7,7 @@ use crate::demands::{BoundaryDemands, Given, Hold};
 use crate::error::ConditionError;
 use crate::narrow::{Narrowed, Rules, narrowed};
 use crate::past::Past;
-use crate::round::{checked, of_wide};
+use crate::round::{Round, checked, of_wide};
 use mindeg_mesh::planar::PlanarBoundary;
 
 /// So many rounds at most; hardly a coast takes more than three.
@@ -34,9 +34,13 @@ impl Stage {
         Self { boundary: boundary.clone(), vertices, edges }
     }
 
-    /// The boundary with other rings and lines, whose points are those of this one.
-    fn next(&self, rings: &[Vec<Point>], lines: &[Vec<Point>]) -> Result<Self, ConditionError> {
-        let (boundary, own) = checked(&self.boundary, rings, lines)?;
+    /// A new boundary, proven, with its rings, lines and vertices as points of this one.
+    fn next(
+        &self,
+        (boundary, own): (PlanarBoundary, Vec<Point>),
+        rings: &[Vec<Point>],
+        lines: &[Vec<Point>],
+    ) -> Self {
         let vertices = own.iter().map(|point| self.given_vertex(point)).collect();
         let of_line = |(line, points): (usize, &Vec<Point>)| {
             let edges = points.len() - usize::from(!is_closed(self.boundary.line(line)));
@@ -45,7 +49,7 @@ impl Stage {
         let of_lines = lines.iter().enumerate().flat_map(of_line);
         let firsts = rings.iter().flatten().copied().chain(of_lines);
         let edges = firsts.map(|point| self.given(point)).collect();
-        Ok(Self { boundary, vertices, edges })
+        Self { boundary, vertices, edges }
     }
 
     fn given_vertex(&self, point: &Point) -> Option<u32> {
@@ -60,28 +64,35 @@ impl Stage {
         Point { of: self.given_vertex(&point), edge: self.given_edge(point.edge), ..point }
     }
 
-    /// What may happen to an edge and its first point: a new one may go.
-    fn hold<D, S>(&self, given: &Given<'_, impl Fn(u32) -> Hold, D, S>, edge: u32) -> Hold {
-        let hold = (given.hold)(self.given_edge(edge));
-        let is_new = self.edges[edge as usize].of.is_none();
-        if is_new && hold < Hold::Edge { Hold::Free } else { hold }
-    }
-
-    /// The lines as they are.
-    fn lines(&self) -> Vec<Vec<Point>> {
-        let boundary = &self.boundary;
-        let line = |line: usize| -> Vec<Point> {
-            let first: u32 = (0..line).map(|line| boundary.line(line).len() as u32).sum();
-            let segments = (boundary.vertex_count() + first..).zip(boundary.line(line));
-            let point = |of, edge| Point { at: boundary.point(of), of: Some(of), edge };
-            let last = segments.clone().last().filter(|_| !is_closed(boundary.line(line)));
-            let last = last.map(|(edge, ends)| point(ends[1], edge));
-            segments.map(|(edge, ends)| point(ends[0], edge)).chain(last).collect()
+    /// The rules of the given boundary for this one: a new point may go.
+    fn told<'a, H, D, S>(
+        &'a self,
+        given: &'a Given<'_, H, D, S>,
+    ) -> Given<
+        'a,
+        impl Fn(u32) -> Hold + use<'a, H, D, S>,
+        impl Fn(u32) -> [bool; 2] + use<'a, H, D, S>,
+        impl Fn(u32) -> bool + use<'a, H, D, S>,
+    >
+    where
+        H: Fn(u32) -> Hold,
+        D: Fn(u32) -> [bool; 2],
+        S: Fn(u32) -> bool,
+    {
+        let hold = |edge: u32| {
+            let hold = (given.hold)(self.given_edge(edge));
+            let is_new = self.edges[edge as usize].of.is_none();
+            if is_new && hold < Hold::Edge { Hold::Free } else { hold }
         };
-        (0..boundary.line_count()).map(line).collect()
+        Given {
+            hold,
+            has_domain: |edge| (given.has_domain)(self.given_edge(edge)),
+            is_straight: |edge| (given.is_straight)(self.given_edge(edge)),
+            marks: given.marks,
+        }
     }
 
-    /// What the vertices of other rings, and of these lines, have of those of this one.
+    /// The past of the vertices of other rings, and of these lines, from that of the vertices of this one.
     fn past(&self, rings: &[Vec<Point>], past: &[Past]) -> Vec<Past> {
         let on_rings = self.boundary.vertex_count() as usize;
         let of_ring = |ring: &Vec<Point>| -> Vec<Past> {
@@ -117,10 +128,9 @@ where
     let mut round = 0;
     loop {
         round += 1;
-        let hold = |edge: u32| stage.hold(given, edge);
-        let has_domain = |edge: u32| (given.has_domain)(stage.given_edge(edge));
-        let (width, marks) = (demands.narrowest, given.marks);
-        let rules = Rules { width, hold: &hold, has_domain: &has_domain, marks };
+        let told = stage.told(given);
+        let Given { hold, has_domain, marks, .. } = &told;
+        let rules = Rules { width: demands.narrowest, hold, has_domain, marks };
         let Narrowed { rings, changes, narrow } = narrowed(&stage.boundary, &rules)?;
         let is_wide = changes.is_empty();
         let mut earlier = None;
@@ -132,16 +142,16 @@ where
             past = Some(stage.past(&rings, &own));
             earlier = Some(found);
         }
+        let mut wide = None;
         if !is_wide {
-            stage = stage.next(&rings, &stage.lines())?;
+            let (_, lines) = Chains::new(&stage.boundary, &told, demands.least_triangles).points();
+            let proven = checked(&stage.boundary, &rings, &lines)?;
+            wide = Some(stage.next(proven, &rings, &lines));
         }
-        let of_stage = Given {
-            hold: |edge: u32| stage.hold(given, edge),
-            has_domain: |edge: u32| (given.has_domain)(stage.given_edge(edge)),
-            is_straight: |edge: u32| (given.is_straight)(stage.given_edge(edge)),
-            marks,
-        };
-        let (found, own) = of_wide(&stage.boundary, demands, &of_stage, past.as_deref())?;
+        drop(told);
+        stage = wide.unwrap_or(stage);
+        let Round { found, past, checked: proven } =
+            of_wide(&stage.boundary, demands, &stage.told(given), past.as_deref())?;
         let given_chains = |chains: &[Vec<Point>]| -> Vec<Vec<Point>> {
             let chain =
                 |chain: &Vec<Point>| chain.iter().map(|point| stage.given(*point)).collect();
@@ -156,8 +166,8 @@ where
         let (known, moved) = earlier.map_or((Vec::new(), 0.0), |it| (it.changes, it.moved));
         let changes = known.into_iter().chain(changes).chain(made).collect();
         let moved = found.moved.max(moved);
-        let next = stage.next(&found.rings, &found.lines)?;
-        last = Some((Conditioned { rings, lines, changes, narrow, before, moved, ..found }, own));
+        let next = stage.next(proven, &found.rings, &found.lines);
+        last = Some((Conditioned { rings, lines, changes, narrow, before, moved, ..found }, past));
         stage = next;
     }
 }
