@@ -235,7 +235,7 @@ fn lengths_and_areas_of_zero_are_written_as_0() {
     assert_eq!(mindeg(["mesh", &domain, "-q", "-o", text(&part)]).code, Some(0));
     let run = mindeg(["verify", text(&part), "--surface", text(&part), "--tolerance", "0"]);
     let distance = "at most 0 (0%) from the part, and back at most 0 (0%); tolerance 0 (0%)";
-    // What is found of it is 1e-14, which is rounding.
+    // The distance found is 1e-14, which is rounding.
     assert!(run.text().contains(distance), "{run:?}");
     // Three points in a line, far from the zero of the coordinates: an area of zero, not of roundings.
     let flat = plate.folder.path().join("flat.obj");

@@ -57,7 +57,7 @@ struct Found {
     reversed: bool,
     tolerance: f64,
     farthest: f64,
-    /// What rounding alone moves a point of this size: less is written as 0.
+    /// The distance that rounding alone moves a point of this size: less is written as 0.
     #[serde(skip)]
     rounding: f64,
     boundary_vertices: usize,

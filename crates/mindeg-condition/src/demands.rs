@@ -27,7 +27,7 @@ pub enum Hold {
     Edge,
 }
 
-/// What is told of the edges of a boundary, and points that no change takes to the other side of one.
+/// The rules for the edges of a boundary, and points that no change takes to the other side of one.
 pub(crate) struct Given<'a, H, D, S> {
     pub(crate) hold: H,
     pub(crate) has_domain: D,

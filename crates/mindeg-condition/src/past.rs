@@ -1,9 +1,9 @@
-//! What the vertices of chains have of an earlier round.
+//! The past of the vertices of chains: what earlier rounds did there.
 
 use crate::chains::{Chains, Vertex};
 use glam::DVec2;
 
-/// What a vertex has of an earlier round, so that all rounds together move a boundary no farther than one may.
+/// The past of a vertex, so that all rounds together move a boundary no farther than one may.
 #[derive(Clone, Default)]
 pub(crate) struct Past {
     /// The dropped points that the edge from there stands for.
@@ -23,7 +23,7 @@ impl Chains {
         }
     }
 
-    /// What the vertices that are left have for a later round, in the order of [`points`](Self::points).
+    /// The past of the vertices that are left, for a later round, in the order of [`points`](Self::points).
     pub(crate) fn past(&self) -> Vec<Past> {
         let past = |v: u32| {
             let Vertex { dropped, off, home, .. } = &self.vertices[v as usize];

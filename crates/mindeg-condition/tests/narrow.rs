@@ -290,7 +290,7 @@ proptest! {
     }
 }
 
-/// What lifts the limit of a coast moves its shores, which makes other places narrow.
+/// A coast whose limit is lifted has other shores, which makes other places narrow.
 #[test]
 fn a_coast_of_a_size_without_narrow_places_stays_as_it_is() {
     let mut changed = 0;

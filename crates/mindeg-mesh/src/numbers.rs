@@ -1,8 +1,8 @@
 //! How numbers and lists are written in sentences: the one rule for what a person reads.
 //!
 //! A [`number`] that was found has at most four significant digits, a [`coordinate`] six, neither with trailing
-//! zeros; an angle has three decimals ([`steady_angle`]), a share one in [`percent`]. What was given is repeated as
-//! it was given. The scripts of pages have the same rule in `viewer/numbers.js` of mindeg-compare, and
+//! zeros; an angle has three decimals ([`steady_angle`]), a share one in [`percent`]. A given number is repeated
+//! as it is. The scripts of pages have the same rule in `viewer/numbers.js` of mindeg-compare, and
 //! `tests/browser/numbers.txt` is what both are compared with.
 
 /// A number as people read it: at most four significant digits, no trailing zeros, and no whole digit less below 1e9.
@@ -63,7 +63,7 @@ pub fn percent(share: f64) -> String {
 }
 
 /// `value` with at most `digits >= 1` significant digits, and without trailing zeros: for the steps of axes and for
-/// numbers to copy into a command. What people read is a [`number`].
+/// numbers to copy into a command. People read a [`number`].
 ///
 /// ```
 /// use mindeg_mesh::significant;
