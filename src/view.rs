@@ -15,7 +15,7 @@ use mindeg::beside::mesh_all;
 use mindeg::model::{fill_model, mesh_model};
 use mindeg::{GoalKind, Interior, Model, Progress, interior};
 use mindeg_answers::advice::{Advice, Purpose};
-use mindeg_answers::mesh::ListedMesh;
+use mindeg_answers::mesh::{KnownLimits, ListedMesh, ShownMesh};
 use mindeg_compare::write_view;
 use mindeg_files::{Outputs, Wanted, is_standard_output, write_to};
 use mindeg_mesh::TriMesh;
@@ -38,10 +38,10 @@ pub(crate) fn run(arguments: &ViewArguments) -> Result<(), Failure> {
     let mut outputs = Outputs::new(&SESSION);
     // Refuse outputs that cannot be written before the work, which can take minutes.
     let out = outputs.open(output)?;
-    let (mesh, what, hints) = match (subject, &arguments.file) {
+    let ((mesh, limits), what, hints) = match (subject, &arguments.file) {
         (Subject::Mesh(mesh), Some(path)) => {
             refuse_for_mesh(path, arguments)?;
-            (*mesh, path.display().to_string(), None)
+            ((*mesh, KnownLimits::default()), path.display().to_string(), None)
         }
         (Subject::Model(model), file) => {
             let model = divided(*model, file.as_deref(), &arguments.options)?;
@@ -50,13 +50,13 @@ pub(crate) fn run(arguments: &ViewArguments) -> Result<(), Failure> {
         }
         (subject, _) => {
             let parts = subject.parts()?;
-            let mesh = mesh_of(&parts, arguments, &bar)?;
+            let made = mesh_of(&parts, arguments, &bar)?;
             let is_told = arguments.interior
                 || !arguments.goal.is_empty()
                 || arguments.quiet
                 || is_standard_output(output);
             let hints = (!is_told && !has_interior(&parts)).then(|| hints(&parts, arguments));
-            (mesh, parts.name_in_text(), hints)
+            (made, parts.name_in_text(), hints)
         }
     };
     let made_by = provenance(arguments.file.as_deref());
@@ -72,7 +72,8 @@ pub(crate) fn run(arguments: &ViewArguments) -> Result<(), Failure> {
     if arguments.json {
         let file = arguments.file.as_ref().map(|path| path.display().to_string());
         let files = vec![output.display().to_string()];
-        print_json(&WithFiles { summary: ListedMesh::of(file, &mesh), files })?;
+        let summary = ShownMesh { mesh: ListedMesh::of(file, &mesh), limits };
+        print_json(&WithFiles { summary, files })?;
     }
     Ok(())
 }
@@ -106,15 +107,21 @@ fn refuse_for_mesh(path: &Path, arguments: &ViewArguments) -> Result<(), Failure
 }
 
 /// The mesh of a whole model.
-fn mesh_of_model(model: &Model, arguments: &ViewArguments, bar: &Bar) -> Result<TriMesh, Failure> {
+fn mesh_of_model(
+    model: &Model,
+    arguments: &ViewArguments,
+    bar: &Bar,
+) -> Result<(TriMesh, KnownLimits), Failure> {
     let file = arguments.file.as_deref();
     if arguments.interior || arguments.goal.purpose == Some(Purpose::Solver) {
         let filled = bar.work(|progress| fill_model(model, &Interior::default(), progress));
-        return Ok(filled.map_err(|error| bad(file, &error))?.mesh);
+        return Ok((filled.map_err(|error| bad(file, &error))?.mesh, KnownLimits::default()));
     }
     let goal = arguments.goal.goal();
     let meshed = bar.work(|progress| mesh_model(model, goal, 1.0, progress));
-    Ok(meshed.map_err(|error| bad(file, &error))?.mesh)
+    let meshed = meshed.map_err(|error| bad(file, &error))?;
+    let limits = KnownLimits::from(&meshed);
+    Ok((meshed.mesh, limits))
 }
 
 /// Whether the file of a domain asks for points inside.
@@ -129,23 +136,32 @@ fn hints(parts: &Parts, arguments: &ViewArguments) -> String {
 }
 
 /// The mesh of a domain, or of all parts of one, as a list.
-fn mesh_of(parts: &Parts, arguments: &ViewArguments, bar: &Bar) -> Result<TriMesh, Failure> {
+fn mesh_of(
+    parts: &Parts,
+    arguments: &ViewArguments,
+    bar: &Bar,
+) -> Result<(TriMesh, KnownLimits), Failure> {
     let (first, purpose) = (&parts.domains[0], arguments.goal.purpose);
     let in_file = has_interior(parts) && arguments.goal.is_empty();
-    let mesh = if arguments.interior || in_file || purpose == Some(Purpose::Solver) {
+    let (mesh, limits) = if arguments.interior || in_file || purpose == Some(Purpose::Solver) {
         let wanted = first.interior().cloned().unwrap_or_default();
         let found = bar.work(|progress| interior::mesh_all(&parts.domains, &wanted, progress));
-        found.map_err(|(index, error)| parts.failure((index, Failure::input(error))))?.mesh
+        let found =
+            found.map_err(|(index, error)| parts.failure((index, Failure::input(error))))?;
+        let limits = KnownLimits::from(&found);
+        (found.mesh, limits)
     } else {
         let goal = arguments.goal.goal();
         let found = bar.work(|progress| mesh_all(&parts.domains, goal, progress));
         let found = found.map_err(|(index, error)| {
             parts.failure((index, unsolved(&error, WITHOUT_CONSTRAINTS)))
-        });
-        found?.mesh
+        })?;
+        let limits = KnownLimits::from(&found);
+        (found.mesh, limits)
     };
-    Ok(match &parts.name {
+    let mesh = match &parts.name {
         Some(name) => mesh.named(name.as_str()),
         None => mesh,
-    })
+    };
+    Ok((mesh, limits))
 }

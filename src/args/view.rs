@@ -43,7 +43,8 @@ pub(crate) struct ViewArguments {
     #[arg(short, long, value_name = "FILE", help_heading = "Output")]
     pub(crate) output: PathBuf,
 
-    /// Print JSON: file, vertices, triangles, max_degree, min_angle, max_angle, dropped, files
+    /// Print JSON: file, vertices, triangles, max_degree, min_angle, max_angle, dropped, least_max_degree, at_least,
+    /// angle_limit and share_of_limit, null for a mesh from a file; files
     #[arg(long, help_heading = "Messages")]
     pub(crate) json: bool,
 

@@ -2,8 +2,11 @@
 
 use crate::mesh::text;
 use crate::run::{Run, ends_quietly_when_nobody_reads, mindeg, mindeg_reading};
+use serde_json::Value;
 use std::fs;
 
+/// What is known of all meshes of a domain, in JSON.
+const LIMITS: [&str; 4] = ["least_max_degree", "at_least", "angle_limit", "share_of_limit"];
 const PLATE: [&str; 4] = ["--rectangle", "4x3", "--size", "0.5"];
 
 /// A square of two triangles that stands upright: x to the right, z up.
@@ -29,11 +32,25 @@ fn figure<'a>(page: &'a str, name: &str) -> &'a str {
 #[test]
 fn a_domain_is_shown_as_mesh_makes_it() {
     let folder = tempfile::tempdir().expect("a folder");
-    for options in [&[][..], &["--keep-angle", "95%"], &["--max-degree", "5"]] {
+    for options in [&[][..], &["--keep-angle", "95%"], &["--max-degree", "5"], &["--interior"]] {
         let path = folder.path().join("plate.obj");
         let arguments = [&["mesh", "--json", "-o", text(&path)], &PLATE[..], options].concat();
         let made = mindeg(arguments).json();
         let own = page(&[&PLATE, options].concat());
+        let shown = folder.path().join("plate.html");
+        let command = [&["view", "--json", "-o", text(&shown)], &PLATE[..], options].concat();
+        let shown = mindeg(command).json();
+        for key in LIMITS {
+            assert_eq!(shown[key], made[key], "{options:?} {key}");
+        }
+        // A mesh within a degree is found without the largest angle.
+        let has_angle = !options.contains(&"--max-degree");
+        let is_known = LIMITS.map(|key| !shown[key].is_null());
+        assert_eq!(is_known[1..], [true, has_angle, has_angle], "{shown}");
+        // Of a mesh from a file nothing is known.
+        let of_file = folder.path().join("file.html");
+        let of_file = mindeg(["view", text(&path), "--json", "-o", text(&of_file)]).json();
+        assert!(LIMITS.iter().all(|key| of_file.get(key) == Some(&Value::Null)), "{of_file}");
         let read = page(&[text(&path)]);
         for page in [&own, &read] {
             for (name, key) in [
@@ -46,7 +63,12 @@ fn a_domain_is_shown_as_mesh_makes_it() {
             let angle: f64 =
                 figure(page, "Minimum angle").trim_end_matches('°').parse().expect("°");
             assert!((angle - made["min_angle"].as_f64().expect("a number")).abs() < 0.01);
-            assert!(page.contains(r#""is_ring":true"#), "all vertices are on the boundary");
+            let is_ring = page.contains(r#""is_ring":true"#);
+            assert_eq!(
+                is_ring,
+                !options.contains(&"--interior"),
+                "all vertices are on the boundary"
+            );
         }
     }
 }
@@ -135,5 +157,10 @@ fn a_model_is_shown() {
     let least = mindeg(["view", cube, "-o", &page, "--json"]).json();
     assert!(std::fs::metadata(&page).is_ok());
     let inside = mindeg(["view", cube, "--interior", "-o", &page, "--json"]).json();
+    let obj = folder.path().join("cube.obj");
+    let made = mindeg(["mesh", cube, "-o", text(&obj), "--json"]).json();
+    let own = |key: &&str| least[*key] == made[*key] && !made[*key].is_null();
+    assert!(LIMITS[..2].iter().all(own), "{least} {made}");
+    assert!(LIMITS.iter().all(|key| inside.get(key) == Some(&Value::Null)), "{inside}");
     assert!(inside["vertices"].as_u64() > least["vertices"].as_u64(), "{least} {inside}");
 }

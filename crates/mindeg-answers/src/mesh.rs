@@ -2,11 +2,14 @@
 
 use mindeg::beside::MeshBeside;
 use mindeg::exact::share_of;
+use mindeg::interior::InteriorMesh;
+use mindeg::model::ModelMesh;
 use mindeg::{FoundBy, Goal, Meshed, TriMesh};
 use mindeg_mesh::Triangles;
 use mindeg_mesh::quality::TriangleQuality;
 use serde::Serialize;
 
+use crate::interior::InteriorAnswer;
 use crate::names::{part_name, region_count, shown};
 use crate::numbers::{self, counted, percent, steady_angle};
 
@@ -58,6 +61,67 @@ pub struct ListedMesh {
     pub max_angle: Option<f64>,
     /// The kinds of values at vertices that the file has and the mesh lacks.
     pub dropped: Vec<&'static str>,
+}
+
+/// What no mesh of the same domain or model betters, beside one of its meshes; all null for a mesh from a file.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct KnownLimits {
+    /// Null where it is not known; no mesh has less than `at_least`.
+    pub least_max_degree: Option<u32>,
+    /// No mesh has a smaller maximum degree.
+    pub at_least: Option<u32>,
+    /// The largest minimum angle that any mesh has; null of models, and where it was not worked out.
+    pub angle_limit: Option<f64>,
+    /// `min_angle` / `angle_limit`; of a model, the smallest that a face has.
+    pub share_of_limit: Option<f64>,
+}
+
+impl From<&MeshBeside> for KnownLimits {
+    fn from(found: &MeshBeside) -> Self {
+        let (least, is_proven) = found.least_max_degree();
+        let angle_limit = found.delaunay_min_angle();
+        let min_angle = ListedMesh::of(None, &found.mesh).min_angle;
+        Self {
+            least_max_degree: is_proven.then_some(least),
+            at_least: Some(least),
+            angle_limit,
+            share_of_limit: min_angle.zip(angle_limit).map(|(angle, most)| share_of(angle, most)),
+        }
+    }
+}
+
+impl From<&InteriorMesh> for KnownLimits {
+    fn from(found: &InteriorMesh) -> Self {
+        let answer = InteriorAnswer::from(found);
+        Self {
+            least_max_degree: answer.least_max_degree,
+            at_least: Some(answer.at_least),
+            angle_limit: Some(answer.angle_limit),
+            share_of_limit: Some(answer.share_of_limit),
+        }
+    }
+}
+
+impl From<&ModelMesh> for KnownLimits {
+    fn from(found: &ModelMesh) -> Self {
+        Self {
+            least_max_degree: found.is_proven().then_some(found.max_degree),
+            at_least: Some(found.lower_bound),
+            angle_limit: None,
+            share_of_limit: found.angle_share,
+        }
+    }
+}
+
+/// A mesh that is shown, with what is known of all meshes of its domain or model.
+#[derive(Clone, Debug, Serialize)]
+pub struct ShownMesh {
+    /// The mesh.
+    #[serde(flatten)]
+    pub mesh: ListedMesh,
+    /// What no other betters.
+    #[serde(flatten)]
+    pub limits: KnownLimits,
 }
 
 impl ListedMesh {
