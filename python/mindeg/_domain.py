@@ -102,8 +102,8 @@ class Domain(_mindeg._Domain):
     ) -> tuple[Domain, dict[str, Any]]:
         """The least change of the boundary that lets a mesh with points inside have no angle below ``limit`` degrees.
 
-        The boundary moves by ``within`` at most, an eighth of ``size`` without it; ``size`` is the length of edges, ``keep``
-        names sides that stay. Straits, inlets and spits below ``narrowest`` are closed or cut off. A border of two regions changes once, for both. Gives the new domain, and the changes as ``mindeg
+        The boundary moves by ``within`` at most, an eighth of ``size`` without it; ``size`` is the length of edges, which change
+        gradually, by ``growth`` (0.4 without it; 0 puts points only where the limit needs them). ``keep`` names sides that stay. Straits, inlets and spits below ``narrowest`` are closed or cut off. A border of two regions changes once, for both. Gives the new domain, and the changes as ``mindeg
         condition --json`` has them.
         """
         keep = [keep] if isinstance(keep, str) else list(keep)

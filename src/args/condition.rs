@@ -39,7 +39,7 @@ pub(crate) struct ConditionArguments {
     pub(crate) size: Option<Length>,
 
     /// No edge is longer than 4/3 of another and this times their distance together: a mesh reaches its limits more surely
-    /// where lengths change gradually; 0.35 or more, 0.4 with --size, else no such rule
+    /// where lengths change gradually; 0.35 or more, or 0 for no such rule [default: 0.4]
     #[arg(long, value_name = "G", value_parser = growth, allow_hyphen_values = true)]
     pub(crate) growth: Option<f64>,
 
@@ -163,6 +163,7 @@ fn changes_file(text: &str) -> Result<PathBuf, String> {
 
 /// A growth that halving edges can reach.
 fn growth(text: &str) -> Result<f64, String> {
-    let growth = text.trim().parse().ok().filter(|growth| (LEAST_GROWTH..100.0).contains(growth));
-    growth.ok_or_else(|| format!("give a number from {LEAST_GROWTH} to 100, such as 0.4"))
+    let growth = text.trim().parse().ok();
+    let growth = growth.filter(|it| *it == 0.0 || (LEAST_GROWTH..100.0).contains(it));
+    growth.ok_or_else(|| format!("give 0, or a number from {LEAST_GROWTH} to 100, such as 0.4"))
 }

@@ -10,7 +10,7 @@ use crate::domain::{Parts, name};
 use crate::failure::Failure;
 use crate::interrupt::SESSION;
 use crate::making::Making;
-use mindeg::interior::{self, BoundaryDemands, Cause, GROWTH, InteriorError, InteriorMesh};
+use mindeg::interior::{self, BoundaryDemands, Cause, InteriorError, InteriorMesh};
 use mindeg::{Domain, Interior, Opening, Size};
 use mindeg_answers::advice::Purpose;
 use mindeg_answers::condition::ConditionAnswer;
@@ -151,8 +151,8 @@ const POOR_LIMIT: f64 = 20.0;
 const POOR_SHARE: f64 = 0.9;
 const FEW_EDGES: usize = 64;
 
-/// The option that makes a poor boundary better: it divides few long sides, or lifts a limit, unless that is the angle of a corner itself,
-/// or divides edges that are long beside others near them.
+/// The option that makes a poor boundary better: it divides few long sides, or puts points on edges, unless all that is poor is the angle
+/// of a corner itself.
 fn boundary_hint(
     arguments: &MeshArguments,
     domains: &[Domain],
@@ -170,27 +170,27 @@ fn boundary_hint(
     }
     let is_sharp =
         matches!(limit.cause, Cause::Corner { angle, .. } if angle < limit.min_angle * 1.01);
-    let is_hinted = arguments.condition.is_none() && limit.min_angle < POOR_LIMIT && !is_sharp;
-    if is_hinted {
-        return Some(
-            "hint: --condition=25 changes the boundary as little as lets a mesh have 25°, and tells each change; mindeg \
-             condition does that alone."
-                .to_owned(),
-        );
+    let is_low = limit.min_angle < POOR_LIMIT && !is_sharp;
+    if arguments.condition.is_some() || !is_poor && !is_low {
+        return None;
     }
-    let points = if is_poor { points_to_grow(arguments, domains)? } else { 0 };
-    (points > 0).then(|| {
-        format!(
-            "hint: edges of different lengths near each other leave little room for good triangles; mindeg condition \
-             --growth {GROWTH} puts {} on the long ones, and moves none.",
+    match points_on_edges(arguments, domains)? {
+        0 => is_low.then(|| {
+            "hint: points on edges lift no limit here; --condition --within LENGTH may move the boundary, too, and tells each \
+             change."
+                .to_owned()
+        }),
+        points => Some(format!(
+            "hint: some edges of the boundary leave little room for good triangles; --condition puts {} on them, and moves \
+             nothing. mindeg condition does that alone.",
             counted(points as u64, "point")
-        )
-    })
+        )),
+    }
 }
 
-/// How many points a boundary takes until its edges grow gradually.
-fn points_to_grow(arguments: &MeshArguments, domains: &[Domain]) -> Option<usize> {
-    let demands = BoundaryDemands { growth: GROWTH, ..BoundaryDemands::default() };
+/// How many points `--condition` alone puts on edges.
+fn points_on_edges(arguments: &MeshArguments, domains: &[Domain]) -> Option<usize> {
+    let demands = BoundaryDemands::default();
     let (new, changed) = interior::condition_all(domains, &demands, &arguments.change.keep).ok()?;
     Some(ConditionAnswer::of(domains, &new, &changed).inserted)
 }

@@ -15,7 +15,7 @@ fn points_on_edges_lift_the_limit_and_the_mesh() {
     let run = mindeg(["condition", &domain("great-britain.json"), "--limit", "30", "-o", &new]);
     assert_eq!(
         run.text(),
-        "great-britain: 391 boundary points become 395: 0 dropped, 4 put on edges, 0 sharp corners cut off, 0 holes \
+        "great-britain: 391 boundary points become 469: 0 dropped, 78 put on edges, 0 sharp corners cut off, 0 holes \
          dropped\nIt moved nowhere. No mesh has a minimum angle above 30.691°, before 15.876°.\n"
     );
     let angle = |domain: &str| {
@@ -29,7 +29,7 @@ fn points_on_edges_lift_the_limit_and_the_mesh() {
         serde_json::from_slice(&std::fs::read(&new).expect("a file")).expect("JSON");
     assert_eq!(written["sides"][0]["name"], "coast");
     let again = mindeg(["condition", &new, "--limit", "30", "--json"]).json();
-    assert_eq!((&again["points_before"], &again["points"]), (&json!(395), &json!(395)));
+    assert_eq!((&again["points_before"], &again["points"]), (&json!(469), &json!(469)));
     assert_eq!((&again["left"], &again["changes"]), (&json!([]), &json!([])));
 }
 
@@ -42,7 +42,12 @@ fn nothing_moves_without_a_distance_and_nothing_farther_with_one() {
     assert_eq!((&still["moved"], &still["is_reached"]), (&json!(0.0), &json!(false)));
     assert_eq!(still["left"][0]["at"], json!([0.0, 0.0]));
     assert_eq!(still["left"][0]["reason"], "the corner is sharper: allow a larger distance");
-    let moved = mindeg_reading(["condition", "-", "--within", "0.5", "--json"], WEDGE).json();
+    // No point more lifts the limit of the tip, which draws none near it.
+    assert!(still["points"].as_u64() < Some(60), "{still}");
+    let moved = ["condition", "-", "--within", "0.5", "--json"];
+    let reached = mindeg_reading(moved, WEDGE).json();
+    assert_eq!((&reached["is_reached"], &reached["left"]), (&json!(true), &json!([])));
+    let moved = mindeg_reading([&moved[..], &["--growth", "0"]].concat(), WEDGE).json();
     // The rest of the tip is one edge wide, and no mesh of it was found that has more than a little less.
     assert_eq!((&moved["is_reached"], &moved["cut"]), (&json!(false), &json!(1)));
     assert!(moved["left"][0]["angle_limit"].as_f64().expect("an angle") > 24.0);
@@ -96,7 +101,10 @@ fn a_border_of_a_map_is_changed_once_for_both_regions() {
     let features = read(&changes)["features"].clone();
     let kinds: Vec<_> =
         features.as_array().expect("features").iter().map(|it| &it["geometry"]["type"]).collect();
-    assert_eq!(kinds, ["Polygon", "LineString", "Polygon", "LineString", "Point"]);
+    assert_eq!(
+        kinds,
+        ["Polygon", "LineString", "Polygon", "LineString", "Point", "Point", "Point"]
+    );
     let mesh = path("mesh.msh");
     let meshed = mindeg(["mesh", &new, "--interior", "--json", "-o", &mesh]).json();
     assert!(meshed["min_angle"].as_f64().expect("an angle") > 24.0);
@@ -321,7 +329,7 @@ fn narrow_water_is_closed_and_narrow_land_cut_off_and_all_are_told() {
 fn a_poor_boundary_is_told_what_lifts_its_limit() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("mesh.obj").display().to_string();
-    let hint = "hint: --condition=25 changes the boundary as little as lets a mesh have 25°";
+    let hint = "hint: some edges of the boundary leave little room for good triangles; --condition puts 77 points on them";
     let britain = domain("great-britain.json");
     let mesh = ["mesh", &britain, "--interior", "-o", &out];
     assert!(mindeg(mesh).errors.contains(hint));
@@ -354,15 +362,20 @@ fn edges_that_are_long_beside_others_are_told_what_divides_them() {
     let folder = tempfile::tempdir().expect("a folder");
     let [new, out] =
         ["new.json", "mesh.obj"].map(|name| folder.path().join(name).display().to_string());
-    let hint = "hint: edges of different lengths near each other leave little room for good triangles; mindeg condition \
-                --growth 0.4 puts 11 points on the long ones, and moves none.";
+    let hint = "hint: some edges of the boundary leave little room for good triangles; --condition puts 11 points on them, and \
+                moves nothing.";
     let run = mindeg_reading(["mesh", "-", "--interior", "-o", &out], sea.as_bytes());
     assert!(run.code == Some(0) && run.errors.contains(hint), "{run:?}");
-    let grow = ["condition", "-", "--growth", "0.4", "-o", &new, "--json"];
-    let changed = mindeg_reading(grow, sea.as_bytes()).json();
-    assert_eq!((&changed["inserted"], &changed["moved"]), (&json!(11), &json!(0.0)));
+    let changed = |more: &[&str]| {
+        let options = [&["condition", "-", "-o", &new, "--json"], more].concat();
+        let changed = mindeg_reading(options, sea.as_bytes()).json();
+        (changed["inserted"].clone(), changed["moved"].clone())
+    };
+    // The limit is above the angle that is asked for.
+    assert_eq!(changed(&["--growth", "0"]), (json!(1), json!(0.0)));
+    assert_eq!(changed(&[]), (json!(11), json!(0.0)));
     let run = mindeg(["mesh", &new, "--interior", "-o", &out, "--json"]);
-    assert!(!run.errors.contains("hint: edges"), "{run:?}");
+    assert!(!run.errors.contains("hint: some edges"), "{run:?}");
     assert!(run.json()["min_angle"].as_f64() > Some(38.0), "{run:?}");
 }
 

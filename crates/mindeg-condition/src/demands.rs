@@ -7,7 +7,7 @@ use glam::DVec2;
 pub const LEAST_GROWTH: f64 = 0.35;
 
 /// The growth at which a mesh reaches its limits nearly everywhere.
-pub const GROWTH: f64 = 0.4;
+pub(crate) const GROWTH: f64 = 0.4;
 
 /// An edge below this share of the size is short: shores may move apart by four times as much, so hardly any has to stay.
 const SHORT: f64 = 1.0 / 16.0;
@@ -57,21 +57,22 @@ pub struct BoundaryDemands {
     pub narrowest: f64,
 }
 
-/// 25 degrees, and nothing moved.
+/// 25 degrees, lengths that change gradually, and nothing moved.
 impl Default for BoundaryDemands {
     fn default() -> Self {
         let least_triangles = 1;
-        let (within, growth, least_hole, narrowest) = (0.0, 0.0, 0.0, 0.0);
+        let (within, least_hole, narrowest) = (0.0, 0.0, 0.0);
+        let growth = GROWTH;
         Self { angle: 25.0, within, size: None, growth, least_hole, least_triangles, narrowest }
     }
 }
 
 impl BoundaryDemands {
-    /// Edges of about one length that change gradually; the boundary moves by an eighth of it at most, less than a mesh of that
+    /// Edges of about one length; the boundary moves by an eighth of it at most, less than a mesh of that
     /// length shows.
     #[must_use]
     pub fn of_size(size: f64) -> Self {
-        Self { size: Some(size), within: size / 8.0, growth: GROWTH, ..Self::default() }
+        Self { size: Some(size), within: size / 8.0, ..Self::default() }
     }
 
     /// The length below which an edge is short beside the size.

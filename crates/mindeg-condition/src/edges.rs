@@ -4,8 +4,8 @@ use crate::chains::Chains;
 use crate::changes::{BoundaryChange, ChangeKind, Left, Reason, Why};
 use crate::demands::BoundaryDemands;
 use crate::error::ConditionError;
+use crate::straits::Arms;
 use glam::DVec2;
-use mindeg_interior::limits::tents_below;
 use std::collections::BTreeMap;
 
 /// Rounds of dividing: each halves what is too long.
@@ -21,9 +21,6 @@ const UNEVEN: f64 = std::f64::consts::SQRT_2;
 const MOST_POINTS: usize = 20_000_000;
 /// Edges shorter than this share of the largest coordinate are not divided.
 const SHORTEST: f64 = 1e-12;
-
-/// Edges are near each other along the boundary within so many edges.
-const BESIDE: usize = 4;
 
 impl Chains {
     /// Divides edges until all limits are as demanded, or nothing more helps.
@@ -110,61 +107,6 @@ impl Chains {
         })
     }
 
-    /// The pairs of edges whose tents of an angle meet, each with the angle from which on they do.
-    pub(crate) fn tents(&self, angle: f64) -> Vec<(f64, [u32; 2])> {
-        let (mut edges, mut names) = (Vec::new(), Vec::new());
-        for edge in self.edges() {
-            let ends = [edge, self.next(edge)].map(|v| self.place(v));
-            let [left, right] = self.vertices[edge as usize].has_domain;
-            edges.extend(left.then_some(ends));
-            edges.extend(right.then_some([ends[1], ends[0]]));
-            names.resize(edges.len(), edge);
-        }
-        let tents = tents_below(&edges, |v| self.at(v), angle).into_iter();
-        tents.map(|tent| (tent.angle, tent.edges.map(|edge| names[edge as usize]))).collect()
-    }
-
-    /// The longer edge of each pair whose tents meet.
-    fn in_straits(&self, angle: f64, demanded: f64) -> Vec<u32> {
-        let longer = |[a, b]: [u32; 2]| match (self.is_kept_edge(a), self.is_kept_edge(b)) {
-            (false, true) => a,
-            (true, false) => b,
-            _ if self.length(a) >= self.length(b) => a,
-            _ => b,
-        };
-        // Beside a corner that is not blunt tents with room meet at every length of edges, and beside one that is too sharp all do.
-        let is_of_use = |tent: &(f64, [u32; 2])| match self.least_between(tent.1) {
-            Some(least) if least < 2.0 * angle => tent.0 < demanded && least >= demanded,
-            _ => true,
-        };
-        self.tents(angle).into_iter().filter(is_of_use).map(|tent| longer(tent.1)).collect()
-    }
-
-    /// The least angle at the vertices between two edges in degrees, if these are beside each other.
-    fn least_between(&self, [from, to]: [u32; 2]) -> Option<f64> {
-        let mut reached: Vec<(u32, f64)> = vec![(from, 180.0)];
-        let mut start = 0;
-        for _ in 0..BESIDE {
-            let end = reached.len();
-            for index in start..end {
-                let (edge, least) = reached[index];
-                for vertex in [edge, self.next(edge)] {
-                    let least = least.min(self.angle(vertex).to_degrees());
-                    for other in self.edges_at(vertex) {
-                        if other == to {
-                            return Some(least);
-                        }
-                        if reached.iter().all(|known| known.0 != other) {
-                            reached.push((other, least));
-                        }
-                    }
-                }
-            }
-            start = end;
-        }
-        None
-    }
-
     /// The limit of the whole, in degrees.
     pub(crate) fn limit_of_all(&self) -> f64 {
         let least = self.alive().map(|v| self.limit(v)).fold(60.0, f64::min);
@@ -192,9 +134,10 @@ impl Chains {
             };
             left.push(Left { at: self.at(vertex), limit, reason });
         }
+        let arms = Arms::of(self);
         for (limit, edges) in self.tents(demands.angle) {
             // The corner between them is there already.
-            if self.least_between(edges).is_some_and(|least| least <= limit) {
+            if arms.least_between(self, edges).is_some_and(|least| least <= limit) {
                 continue;
             }
             let is_kept = edges.iter().any(|edge| self.is_kept_edge(*edge));

@@ -39,12 +39,13 @@ mod round;
 mod rounds;
 mod stars;
 mod straight;
+mod straits;
 mod tips;
 
 pub use changes::{
     BoundaryChange, ChangeKind, Conditioned, Left, Narrow, NarrowReason, Point, Reason, Why,
 };
-pub use demands::{BoundaryDemands, GROWTH, Hold, LEAST_GROWTH};
+pub use demands::{BoundaryDemands, Hold, LEAST_GROWTH};
 pub use error::ConditionError;
 
 use crate::demands::Given;

@@ -186,6 +186,42 @@ fn small_holes_are_dropped_and_kept_edges_stay_whole() {
     );
 }
 
+/// The tent of a side that stays whole meets the hole: no length of the hole's edges makes room, and there is no end of dividing them.
+#[test]
+fn edges_beside_a_side_that_stays_whole_are_not_divided_for_ever() {
+    let square = ring(&[[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0]]);
+    let hole = ring(&[[6.0, 5.0], [6.0, 6.0], [7.0, 5.0]]);
+    let boundary = PlanarBoundary::new(&[square, hole]).unwrap();
+    for (size, most) in [(None, 3), (Some(0.5), 12)] {
+        let demands = BoundaryDemands { size, angle: 40.0, ..BoundaryDemands::default() };
+        let hold = |v| if v < 4 { Hold::Edge } else { Hold::Free };
+        let found = condition(&boundary, &demands, hold).unwrap();
+        assert!((3..=most).contains(&found.rings[1].len()), "{found:?}");
+        assert!(found.left.iter().any(|left| left.reason == Reason::Kept), "{found:?}");
+    }
+}
+
+/// In a wedge below the angle tents meet up to the tip, however short the edges are: dividing them came near it without end.
+#[test]
+fn a_corner_that_stays_sharp_draws_no_points_without_end() {
+    let wedge = |points: usize| {
+        let arm =
+            |y: f64| (0..points).map(move |i| [10.0, y].map(|c| c * i as f64 / points as f64));
+        let back = arm(1.0).skip(1).collect::<Vec<_>>().into_iter().rev();
+        let ends = [[10.0, -1.0], [10.0, 1.0]];
+        ring(&arm(-1.0).chain(ends).chain(back).collect::<Vec<_>>())
+    };
+    for points in [1, 5, 20] {
+        for size in [None, Some(0.5)] {
+            let demands = BoundaryDemands { size, ..BoundaryDemands::default() };
+            let found = conditioned(&[wedge(points)], &demands);
+            let new = &places(&found)[0];
+            let shortest = new.windows(2).map(|ends| ends[0].distance(ends[1]));
+            assert!(shortest.fold(f64::INFINITY, f64::min) > 0.05, "{points}: {found:?}");
+        }
+    }
+}
+
 #[test]
 fn coasts_by_chance_reach_the_angle_within_the_distance() {
     let (mut reached, mut all) = (0, 0);
@@ -445,7 +481,7 @@ fn an_inlet_one_edge_wide_gets_room_for_its_triangles() {
 
 /// Conditions and meshes some of the straits by chance: two bays, and between them a strait with uneven shores, each of
 /// which alone allows the angle. Gives how many points were moved.
-fn straits_by_chance(cases: std::ops::Range<u32>) -> usize {
+fn straits_by_chance(cases: std::ops::Range<u32>, demands: &BoundaryDemands) -> usize {
     let mut random = Random::new(7);
     let mut shifted = 0;
     for case in 0..cases.end {
@@ -459,9 +495,8 @@ fn straits_by_chance(cases: std::ops::Range<u32>) -> usize {
         let north = [[1.5, 2.2], [1.5, 3.5], [0.0, 4.0], [-1.5, 3.5], [-1.5, 2.2]];
         let south = north.map(|[x, y]| [-x, -y]);
         let strait = ring(&[&south[..], &east, &north, &west].concat());
-        let demands = BoundaryDemands { within: 0.3, ..BoundaryDemands::default() };
-        let found = conditioned(std::slice::from_ref(&strait), &demands);
-        assert!(found.moved <= 0.3);
+        let found = conditioned(std::slice::from_ref(&strait), demands);
+        assert!(found.moved <= demands.within);
         shifted += count(&found, ChangeKind::Shifted);
         let outline = PlanarBoundary::new(&places(&found)).unwrap();
         let mesh = generate(&outline, &Options::default(), Progress::NONE).unwrap();
@@ -474,12 +509,14 @@ fn straits_by_chance(cases: std::ops::Range<u32>) -> usize {
 
 #[test]
 fn meshes_of_straits_one_edge_wide_have_the_angle_or_their_places_are_told() {
-    straits_by_chance(0..12);
+    let demands = BoundaryDemands { within: 0.3, ..BoundaryDemands::default() };
+    straits_by_chance(0..12, &demands);
 }
 
 #[test]
 fn meshes_of_other_straits_have_the_angle_or_their_places_are_told() {
-    assert!(straits_by_chance(12..24) > 0);
+    let demands = BoundaryDemands { within: 0.3, growth: 0.0, ..BoundaryDemands::default() };
+    assert!(straits_by_chance(12..24, &demands) > 0);
 }
 
 #[test]

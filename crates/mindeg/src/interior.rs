@@ -36,7 +36,7 @@ pub use improve::{ImprovedMesh, improve};
 pub use lift::{Lift, lift};
 pub use limit::{AngleLimit, Cause, angle_limit};
 pub use mindeg_condition::{
-    BoundaryChange, BoundaryDemands, ChangeKind, Conditioned, GROWTH, LEAST_GROWTH, Left, Narrow,
+    BoundaryChange, BoundaryDemands, ChangeKind, Conditioned, LEAST_GROWTH, Left, Narrow,
     NarrowReason, Reason, Why,
 };
 pub use mindeg_interior::limits::{FanLimit, Limits, TentLimit, degree_limit};

@@ -5,6 +5,7 @@
 
 use super::step::Step;
 use crate::chains::Chains;
+use crate::demands::GROWTH;
 use glam::DVec2;
 use mindeg_interior::{generate_once, least_angle};
 use mindeg_mesh::Progress;
@@ -15,9 +16,7 @@ use std::collections::{BTreeMap, BTreeSet};
 const REACH: usize = 8;
 /// The most triangles of surroundings, about.
 const MOST_TRIANGLES: usize = 600;
-/// Edges across open water are as long as those at their ends and this share of the distance to them.
-const GROWTH: f64 = 0.4;
-/// And so many times as long at most.
+/// Edges across open water are so many times as long as those at their ends and a growing part of the distance at most.
 const LONGEST: f64 = 4.0 / 3.0;
 
 /// A triangulated domain: the chains as they are.

@@ -27,9 +27,6 @@ const OPEN: &str = "open";
 /// The edges that a vertex may have where the gap meets a mesh.
 const MOST_EDGES: u32 = 7;
 
-/// Edges on the border of the gap grow so with their distance from the meshes.
-pub(super) const GROWTH: f64 = 0.4;
-
 /// The name and the kind of new boundary.
 pub(super) type Told = (Option<String>, Option<LineKind>);
 
@@ -151,7 +148,7 @@ impl Joining {
         let domain = domain.map_err(MeshError::refused)?;
         let has_kept = rings.iter().flatten().any(|step| step.1.is_none());
         let kept: Vec<String> = has_kept.then(|| self.kept.clone()).into_iter().collect();
-        let demands = BoundaryDemands { growth: GROWTH, ..BoundaryDemands::default() };
+        let demands = BoundaryDemands::default();
         let (domain, _) = interior::condition(&domain, &demands, &kept)?;
         let known: BTreeMap<[u64; 2], u32> = rings
             .iter()
