@@ -52,27 +52,21 @@ impl SurfaceSector {
 impl Sectors {
     /// The sectors of a vertex as they are in the mesh.
     pub(crate) fn of(mesh: &ArrayMesh<OnSurface<'_>>, vertex: u32) -> Self {
-        Self::between(mesh, vertex, |_, _| true)
+        Self::between(mesh, vertex, |t, i| is_of_curve(mesh, t, i))
     }
 
-    /// The sectors between curves that no checker can overlook: those that are sharp, on the boundary or between groups.
+    /// The sectors that a checker sees, which knows no curves: between edges that are sharp, on the boundary or between groups.
+    /// Sharp edges of short lines, which are no curves, divide them, too.
+    pub(crate) fn seen(mesh: &ArrayMesh<OnSurface<'_>>, vertex: u32) -> Self {
+        Self::between(mesh, vertex, |t, i| is_seen(mesh, t, i))
+    }
+
+    /// The sectors between curves that a checker sees.
     pub(crate) fn sharp(mesh: &ArrayMesh<OnSurface<'_>>, vertex: u32) -> Self {
-        let surface = &mesh.space.0.surface;
-        let normal = |t: u32| {
-            let [a, b, c] = mesh.corners(t);
-            (b - a).cross(c - a).normalize_or_zero()
-        };
-        Self::between(mesh, vertex, |t, i| {
-            let triangle = &mesh.triangles[t as usize];
-            let other = triangle.neighbours[i];
-            let group = |t: u32| surface.group(mesh.triangles[t as usize].patch);
-            other == NONE
-                || group(t) != group(other)
-                || normal(t).dot(normal(other)) < libm::cos(SHARP.to_radians())
-        })
+        Self::between(mesh, vertex, |t, i| is_of_curve(mesh, t, i) && is_seen(mesh, t, i))
     }
 
-    /// The sectors of a vertex between those edges of curves that count, each as a triangle and the corner opposite.
+    /// The sectors of a vertex between those edges that count, each as a triangle and the corner opposite.
     fn between(
         mesh: &ArrayMesh<OnSurface<'_>>,
         vertex: u32,
@@ -82,9 +76,8 @@ impl Sectors {
         let is_closed = mesh.star(vertex, &mut star);
         // Whether an edge that counts lies before each triangle.
         let before = |t: u32| {
-            let triangle = &mesh.triangles[t as usize];
-            let i = (triangle.corner(vertex) + 2) % 3;
-            triangle.labels[i] != CurveLabel::default() && counts(t, i)
+            let i = (mesh.triangles[t as usize].corner(vertex) + 2) % 3;
+            counts(t, i)
         };
         let first = star.iter().position(|t| before(*t)).unwrap_or(0);
         star.rotate_left(first);
@@ -154,10 +147,18 @@ impl Sectors {
         all.map(|count| if self.is_closed { count.max(LEAST_AROUND) } else { count })
     }
 
-    /// How many triangles a corner with these sectors may have in all: as many as other vertices, unless it is proven that no
-    /// mesh without an angle below `floor`, in degrees, has so many.
-    pub(crate) fn total(&self, interior: &RangeInclusive<u32>, floor: f64) -> RangeInclusive<u32> {
-        let [low, high] = self.allowed(floor);
+    /// How many triangles a corner between these sharp curves may have in all: as many as other vertices, unless it is proven that
+    /// no mesh without an angle below `floor`, in degrees, has so many. Then the nearest number that a checker takes, and no other:
+    /// none between passes. `seen` are its sectors for a checker. `all` are those between all its curves, which stay: fewer
+    /// triangles than these need, a corner never has.
+    pub(crate) fn total(
+        &self,
+        [seen, all]: [&Self; 2],
+        interior: &RangeInclusive<u32>,
+        floor: f64,
+    ) -> RangeInclusive<u32> {
+        let [[low, _], [least, most], [needed, _]] =
+            [self, seen, all].map(|sectors| sectors.allowed(floor));
         if !self.is_closed {
             return 1..=low.max(MOST_ON_BOUNDARY);
         }
@@ -165,8 +166,35 @@ impl Sectors {
         if self.sectors.len() == 1 && self.sectors[0].angle < f64::from(LEAST_AROUND) * floor {
             return LEAST_AROUND..=LEAST_AROUND;
         }
-        (*interior.start()).min(high).max(LEAST_AROUND)..=(*interior.end()).max(low)
+        if most < *interior.start() && needed <= most {
+            return most..=most;
+        }
+        // Sharp edges that are no curves may go: alone they ask for no more than others have.
+        if low > *interior.end() {
+            let nearest = least.max(needed);
+            return nearest..=nearest;
+        }
+        interior.clone()
     }
+}
+
+/// Whether an edge is part of a curve.
+fn is_of_curve(mesh: &ArrayMesh<OnSurface<'_>>, t: u32, i: usize) -> bool {
+    mesh.triangles[t as usize].labels[i] != CurveLabel::default()
+}
+
+/// Whether who knows no curves sees that an edge is of one: it is sharp, on the boundary or between groups.
+fn is_seen(mesh: &ArrayMesh<OnSurface<'_>>, t: u32, i: usize) -> bool {
+    let surface = &mesh.space.0.surface;
+    let normal = |t: u32| {
+        let [a, b, c] = mesh.corners(t);
+        (b - a).cross(c - a).normalize_or_zero()
+    };
+    let group = |t: u32| surface.group(mesh.triangles[t as usize].patch);
+    let other = mesh.triangles[t as usize].neighbours[i];
+    other == NONE
+        || group(t) != group(other)
+        || normal(t).dot(normal(other)) < libm::cos(SHARP.to_radians())
 }
 
 fn beyond(count: u32, range: &RangeInclusive<u32>) -> u32 {
@@ -216,7 +244,7 @@ mod tests {
             let total = match (kind, is_closed) {
                 (Kind::Curve, true) => 5..=7,
                 (Kind::Curve, false) => 1..=MOST_ON_BOUNDARY,
-                _ => sectors.total(&(5..=7), 35.0),
+                _ => sectors.total([&sectors; 2], &(5..=7), 35.0),
             };
             sectors.degree(kind, &total).0
         };
@@ -246,12 +274,28 @@ mod tests {
     #[test]
     fn corners_have_another_degree_only_where_it_is_proven() {
         let total = |list: &[(f64, u32)], is_closed| {
-            sectors(list, is_closed).total(&(5..=7), 35.0).into_inner()
+            let sectors = sectors(list, is_closed);
+            sectors.total([&sectors; 2], &(5..=7), 35.0).into_inner()
         };
-        // Good angles ask for 8 triangles, 35 degrees for 7 or 8.
+        // Good angles ask for 8 triangles, 35 degrees for 7 and then 8.
         assert_eq!(total(&[(109.0, 2), (120.0, 2), (168.0, 2), (120.0, 2)], true), (5, 7));
-        assert_eq!(total(&[(111.0, 2), (120.0, 2), (168.0, 2), (120.0, 2)], true), (5, 8));
-        assert_eq!(total(&[(60.0, 1); 3], true), (3, 7));
+        assert_eq!(total(&[(111.0, 2), (120.0, 2), (168.0, 2), (120.0, 2)], true), (8, 8));
+        assert_eq!(total(&[(60.0, 1); 3], true), (3, 3));
+        // One sector has room for 5 triangles, but a checker sees three with room for 4.
+        let (whole, seen) = (&[(195.0, 4)], &[(75.0, 2), (60.0, 1), (60.0, 1)]);
+        assert_eq!((total(whole, true), total(seen, true)), ((5, 7), (4, 4)));
+        let of = |sharp: &[(f64, u32)], seen: &[(f64, u32)], all: &[(f64, u32)]| {
+            let [sharp, seen, all] = [sharp, seen, all].map(|list| sectors(list, true));
+            sharp.total([&seen, &all], &(5..=7), 35.0).into_inner()
+        };
+        assert_eq!(of(whole, seen, whole), (4, 4));
+        // Five sectors between curves have five triangles, whatever a checker sees.
+        let narrow = [(60.0, 1), (60.0, 1), (20.0, 1), (20.0, 1), (20.0, 1)];
+        assert_eq!(of(&[(60.0, 1); 3], &[(60.0, 1); 3], &narrow), (5, 7));
+        // More than 7 only where curves ask for so many, then as many as a checker asks for.
+        let [seven, eight, nine] = [7, 8, 9].map(|count| vec![(38.0, 1); count]);
+        assert_eq!(of(&seven, &eight, &seven), (5, 7));
+        assert_eq!([of(&eight, &nine, &eight), of(&eight, &eight, &nine)], [(9, 9); 2]);
         // A sector of 20 degrees has a triangle, too.
         assert_eq!(total(&[(71.0, 1), (20.0, 1), (71.0, 1)], true), (5, 7));
         assert_eq!(total(&[(109.0, 2), (20.0, 1), (150.0, 2)], false), (1, 4));
@@ -281,6 +325,13 @@ mod tests {
         assert_eq!(Sectors::sharp(&mesh, inside).sectors.len(), 1);
         let corner = mesh.vertices.iter().position(|v| v.kind == Kind::Fixed).unwrap() as u32;
         assert_eq!(Sectors::sharp(&mesh, corner).sectors.len(), 3);
+        // Sharp edges of no curve do so for a checker alone.
+        mesh.triangles.iter_mut().for_each(|triangle| triangle.labels = [CurveLabel::default(); 3]);
+        assert_eq!(
+            [Sectors::sharp(&mesh, corner), Sectors::seen(&mesh, corner)]
+                .map(|it| it.sectors.len()),
+            [1, 3]
+        );
     }
 
     #[test]

@@ -50,9 +50,14 @@ pub(crate) fn work_mesh<'a>(
     }
     for v in 0..mesh.vertices.len() as u32 {
         if mesh.vertices[v as usize].kind == Kind::Fixed {
-            let limit = Sectors::of(&mesh, v).limit();
+            let all = Sectors::of(&mesh, v);
+            let limit = all.limit();
             mesh.vertices[v as usize].goal = mesh.goals.len() as u32;
-            let total = Sectors::sharp(&mesh, v).total(&weights.interior, weights.floor);
+            let total = Sectors::sharp(&mesh, v).total(
+                [&Sectors::seen(&mesh, v), &all],
+                &weights.interior,
+                weights.floor,
+            );
             let (least, triangles) = (*total.start(), *total.end());
             let goal = Goal { limit, least, triangles, wanted: triangles, ..weights.goal_inside() };
             mesh.goals.push(goal.aimed());
