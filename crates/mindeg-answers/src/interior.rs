@@ -2,10 +2,12 @@
 
 use crate::names::{NAMED, listed};
 use crate::numbers::{coordinate, number, percent, steady_angle};
-use crate::proven::{CertifiedAnswer, TogetherAnswer, certified, together};
-use crate::sizes::{CoarseAnswer, SizeAnswer};
+use crate::proven::{TogetherAnswer, certified, together};
 use mindeg::Interior;
-use mindeg::interior::{CornerTradeOff, InteriorMesh, InteriorReport, LocalShares, Violation};
+use mindeg::interior::{
+    CertifiedVertex, CoarseSide, CornerTradeOff, InteriorMesh, InteriorReport, LocalShares,
+    SizeReport, Violation,
+};
 use serde::Serialize;
 use std::cmp::Ordering;
 use std::ops::RangeInclusive;
@@ -50,9 +52,9 @@ pub struct InteriorAnswer {
     /// The least and the greatest.
     pub boundary_degree: [u32; 2],
     /// Vertices whose degree is out of its range.
-    pub violations: Vec<DegreeViolation>,
+    pub violations: Vec<Violation>,
     /// Of these vertices, the ones that are in every mesh, with the edges that prove it.
-    pub certified: Vec<CertifiedAnswer>,
+    pub certified: Vec<CertifiedVertex>,
     /// Groups with others of these vertices, which no mesh brings nearer to their degree limits unless an angle there is smaller.
     pub together: Vec<TogetherAnswer>,
     /// The greatest ratio of the areas of two triangles with a common edge.
@@ -60,9 +62,9 @@ pub struct InteriorAnswer {
     /// The 99th percentile of the square root of that ratio.
     pub grading_p99: f64,
     /// The edges inside beside the sizes wanted; null for a mesh that was improved.
-    pub sizes: Option<SizeAnswer>,
+    pub sizes: Option<SizeReport>,
     /// The sides and lines whose edges are longer than the sizes asked for there, the worst first.
-    pub coarse_sides: Vec<CoarseAnswer>,
+    pub coarse_sides: Vec<CoarseSide>,
 }
 
 /// The angles of all triangles beside the limits of their places, of which at most [`LocalShares::most`] degrees count.
@@ -134,11 +136,11 @@ fn decided_by(local: &LocalShares) -> &'static str {
     }
 }
 
-/// A vertex whose degree is out of its range, in the plane or in space.
+/// A vertex in space whose degree is out of its range.
 #[derive(Clone, Debug, Serialize)]
-pub struct DegreeViolation<P = [f64; 2]> {
+pub struct DegreeViolation {
     pub(crate) vertex: u32,
-    pub(crate) position: P,
+    pub(crate) position: [f64; 3],
     pub(crate) degree: u32,
     pub(crate) on_boundary: bool,
 }
@@ -146,12 +148,6 @@ pub struct DegreeViolation<P = [f64; 2]> {
 impl From<&InteriorReport> for InteriorAnswer {
     fn from(report: &InteriorReport) -> Self {
         let ends = |range: &RangeInclusive<u32>| [*range.start(), *range.end()];
-        let violation = |violation: &Violation| DegreeViolation {
-            vertex: violation.vertex,
-            position: violation.at.to_array(),
-            degree: violation.degree,
-            on_boundary: violation.is_boundary,
-        };
         let interior_degree = report.interior_degree.as_ref().map(ends);
         let boundary_degree = ends(&report.boundary_degree);
         let max_degree = interior_degree.map_or(0, |[_, most]| most).max(boundary_degree[1]);
@@ -170,12 +166,12 @@ impl From<&InteriorReport> for InteriorAnswer {
             corners: report.corners.iter().map(CornerAnswer::from).collect(),
             interior_degree,
             boundary_degree,
-            violations: report.violations.iter().map(violation).collect(),
-            certified: report.certified.iter().map(CertifiedAnswer::from).collect(),
+            violations: report.violations.clone(),
+            certified: report.certified.clone(),
             together: report.together.iter().map(TogetherAnswer::from).collect(),
             area_ratio: report.area_ratio,
             grading_p99: report.grading_p99,
-            sizes: report.sizes.as_ref().map(SizeAnswer::from),
+            sizes: report.sizes.clone(),
             coarse_sides: Vec::new(),
         }
     }
@@ -183,8 +179,7 @@ impl From<&InteriorReport> for InteriorAnswer {
 
 impl From<&InteriorMesh> for InteriorAnswer {
     fn from(found: &InteriorMesh) -> Self {
-        let coarse_sides = found.coarse_sides.iter().map(CoarseAnswer::from).collect();
-        Self { coarse_sides, ..Self::from(&found.report) }
+        Self { coarse_sides: found.coarse_sides.clone(), ..Self::from(&found.report) }
     }
 }
 

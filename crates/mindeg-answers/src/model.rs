@@ -60,7 +60,7 @@ enum Known {
     Filled {
         interior_points: usize,
         /// The vertices off the boundary with other degrees than 5 to 7, and those on it with more than 5.
-        violations: Vec<DegreeViolation<[f64; 3]>>,
+        violations: Vec<DegreeViolation>,
     },
 }
 

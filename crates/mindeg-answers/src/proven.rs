@@ -5,30 +5,6 @@ use crate::numbers::{coordinate, percent};
 use mindeg::interior::{CertifiedVertex, InteriorReport, TogetherBound};
 use serde::Serialize;
 
-/// A vertex at which so many edges meet that stay, of the boundary and of lines, that no mesh keeps its degree limit.
-#[derive(Clone, Debug, Serialize)]
-pub struct CertifiedAnswer {
-    vertex: u32,
-    position: [f64; 2],
-    /// The other ends of the edges, counter-clockwise.
-    edges: Vec<u32>,
-    degree_limit: u32,
-    /// The least degree that it has in any mesh.
-    least_degree: u32,
-}
-
-impl From<&CertifiedVertex> for CertifiedAnswer {
-    fn from(certified: &CertifiedVertex) -> Self {
-        Self {
-            vertex: certified.vertex,
-            position: certified.at.to_array(),
-            edges: certified.edges.clone(),
-            degree_limit: certified.degree_limit,
-            least_degree: certified.least_degree,
-        }
-    }
-}
-
 /// Vertices on the boundary and on lines that are above their degree limits by as many edges, in all, as in every mesh with such angles.
 #[derive(Clone, Debug, Serialize)]
 pub struct TogetherAnswer {

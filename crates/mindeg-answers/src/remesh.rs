@@ -3,10 +3,10 @@
 use crate::interior::DegreeViolation;
 use crate::loops::not_in_the_mesh;
 use crate::numbers::{coordinate, count, number, percent, steady_angle};
-use crate::surface::{Distance, ProvenVertex, greatest};
+use crate::surface::{Distance, greatest};
 use mindeg::remesh::RemeshedPart;
 use mindeg::repair::Repairs;
-use mindeg::verify::MeshDefect;
+use mindeg::verify::{MeshDefect, ProvenDegree};
 use mindeg::{Bounds, TriMesh};
 use serde::Serialize;
 
@@ -25,7 +25,7 @@ pub struct RemeshAnswer {
     interior_degree: Option<[u32; 2]>,
     boundary_degree: Option<[u32; 2]>,
     violations: Vec<OffVertex>,
-    certified: Vec<ProvenVertex>,
+    certified: Vec<ProvenDegree>,
     min_angle: f64,
     min_angle_triangle: u32,
     corner_limits: Vec<LimitingCorner>,
@@ -49,7 +49,7 @@ pub struct RemeshAnswer {
 #[derive(Clone, Debug, Serialize)]
 struct OffVertex {
     #[serde(flatten)]
-    vertex: DegreeViolation<[f64; 3]>,
+    vertex: DegreeViolation,
     /// The edges of feature curves that meet there.
     curves: u32,
 }
@@ -85,9 +85,8 @@ impl RemeshAnswer {
             sectors: corner.sectors.clone(),
             limit: corner.limit,
         };
-        let certified: Vec<ProvenVertex> = verified.proven.iter().map(ProvenVertex::from).collect();
         let is_open = |off: &&mindeg::remesh::OffDegree| {
-            certified.iter().all(|certified| certified.vertex != off.vertex)
+            verified.proven.iter().all(|certified| certified.vertex != off.vertex)
         };
         let curves = |index: usize| found.curves.map(|both| both[index].into());
         Self {
@@ -101,7 +100,7 @@ impl RemeshAnswer {
             interior_degree: verified.inside,
             boundary_degree: verified.boundary,
             violations: reached.off_degree.iter().filter(is_open).map(off_vertex).collect(),
-            certified,
+            certified: verified.proven.clone(),
             min_angle: verified.min_angle.0,
             min_angle_triangle: verified.min_angle.1,
             corner_limits: reached.corner_limits.iter().map(corner).collect(),

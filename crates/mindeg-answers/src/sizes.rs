@@ -2,52 +2,7 @@
 
 use crate::names::listed;
 use crate::numbers::{coordinate, number, percent};
-use mindeg::interior::{CoarseSide, InteriorMesh, InteriorReport, SizeReport};
-use serde::Serialize;
-
-/// The edges that were chosen beside the sizes wanted.
-#[derive(Clone, Debug, Serialize)]
-pub struct SizeAnswer {
-    /// The share of edges that are 0.7 to 1.4 times as long as wanted.
-    near: f64,
-    /// The least ratio of a length to its size.
-    least_ratio: f64,
-    /// The greatest ratio.
-    greatest_ratio: f64,
-}
-
-/// A side or line whose edges are longer than the sizes asked for there, and stay.
-#[derive(Clone, Debug, Serialize)]
-pub struct CoarseAnswer {
-    name: String,
-    /// The middle of its worst edge, with the length of that edge and the size asked for there.
-    position: [f64; 2],
-    length: f64,
-    size: f64,
-    intervals: u64,
-    /// The number of intervals that the sizes ask for.
-    wanted_intervals: u64,
-}
-
-impl From<&SizeReport> for SizeAnswer {
-    fn from(sizes: &SizeReport) -> Self {
-        let SizeReport { near, least, greatest, .. } = *sizes;
-        Self { near, least_ratio: least, greatest_ratio: greatest }
-    }
-}
-
-impl From<&CoarseSide> for CoarseAnswer {
-    fn from(side: &CoarseSide) -> Self {
-        Self {
-            name: side.name.clone(),
-            position: side.at.to_array(),
-            length: side.length,
-            size: side.size,
-            intervals: side.intervals,
-            wanted_intervals: side.wanted_intervals,
-        }
-    }
-}
+use mindeg::interior::{CoarseSide, InteriorMesh, InteriorReport};
 
 /// The edges beside the sizes wanted, in a sentence; none without interior points.
 #[must_use]

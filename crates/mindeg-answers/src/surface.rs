@@ -27,8 +27,8 @@ pub struct SurfaceAnswer {
     /// The least and greatest degree; null without such a vertex.
     interior_degree: Option<[u32; 2]>,
     boundary_degree: Option<[u32; 2]>,
-    violations: Vec<DegreeViolation<[f64; 3]>>,
-    certified: Vec<ProvenVertex>,
+    violations: Vec<DegreeViolation>,
+    certified: Vec<ProvenDegree>,
     min_angle: f64,
     min_angle_triangle: u32,
     tolerance: f64,
@@ -43,24 +43,6 @@ pub struct SurfaceAnswer {
     /// The demands that the mesh fails, in words; all defects among them.
     pub failed: Vec<String>,
     passed: bool,
-}
-
-/// A vertex whose degree the corner of a part forces.
-#[derive(Clone, Debug, Serialize)]
-pub(crate) struct ProvenVertex {
-    pub(crate) vertex: u32,
-    pub(crate) degree: u32,
-    /// The least and greatest degree that the sectors allow.
-    allowed: [u32; 2],
-    /// The angles between the curves of the part.
-    pub(crate) sectors: Vec<f64>,
-}
-
-impl From<&ProvenDegree> for ProvenVertex {
-    fn from(proven: &ProvenDegree) -> Self {
-        let ProvenDegree { vertex, degree, allowed, ref sectors, .. } = *proven;
-        Self { vertex, degree, allowed, sectors: sectors.clone() }
-    }
 }
 
 /// How far the farthest point is.
@@ -119,7 +101,7 @@ impl SurfaceAnswer {
             interior_degree: found.inside,
             boundary_degree: found.boundary,
             violations: found.out_of_range.iter().map(violation).collect(),
-            certified: found.proven.iter().map(ProvenVertex::from).collect(),
+            certified: found.proven.clone(),
             min_angle: found.min_angle.0,
             min_angle_triangle: found.min_angle.1,
             tolerance: rules.tolerance,

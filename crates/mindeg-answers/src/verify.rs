@@ -4,12 +4,12 @@ mod proof;
 
 use self::proof::in_words;
 use crate::demands::{Demands, WorstPlaces};
-use crate::interior::DegreeViolation;
 use crate::numbers::{count, number, percent, steady_angle};
 use mindeg::exact::{self, share_of};
+use mindeg::interior::{self, Violation};
 use mindeg::quality::TriangleQuality;
 use mindeg::verify::{MatchedPlane, MeshDefect, Optimality, VerifiedMesh};
-use mindeg::{Domain, Interior, Progress, TriMesh, interior};
+use mindeg::{Domain, Interior, Progress, TriMesh};
 use serde::Serialize;
 
 /// Distances up to this many roundings of the largest coordinate are nothing.
@@ -73,7 +73,7 @@ struct Found {
     /// No mesh of the domain's points has a smaller maximum degree; null where no proof was checked.
     at_least: Option<u32>,
     /// The vertices inside whose degree is out of the wanted range, if there are interior points.
-    violations: Vec<DegreeViolation>,
+    violations: Vec<Violation>,
     /// Of these vertices, the ones where the lines alone are too many.
     certified: Vec<u32>,
     /// Others that no mesh with this share of the angles there brings nearer to their limits.
@@ -270,11 +270,11 @@ impl Found {
         };
         let sizes = verified.points.iter().map(|point| point.abs().max_element());
         let largest = sizes.fold(0.0, f64::max);
-        let violation = |point: &u32| DegreeViolation {
+        let violation = |point: &u32| Violation {
             vertex: verified.vertex_of[*point as usize],
-            position: verified.points[*point as usize].to_array(),
+            at: verified.points[*point as usize],
             degree: verified.degrees[*point as usize],
-            on_boundary: (*point as usize) < boundary_vertices,
+            is_boundary: (*point as usize) < boundary_vertices,
         };
         let vertices = |points: &[u32]| {
             points.iter().map(|point| verified.vertex_of[*point as usize]).collect::<Vec<_>>()

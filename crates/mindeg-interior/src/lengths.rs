@@ -13,16 +13,21 @@ const NEAR: RangeInclusive<f64> = 0.7..=1.4;
 /// The edges that a mesher chose beside the sizes wanted at their ends, and the edges that stay beside the sizes
 /// asked for.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SizeReport {
     /// The number of edges that are compared: those that do not stay.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub edges: usize,
     /// The share of edges that are 0.7 to 1.4 times as long as wanted; 1 without edges.
     pub near: f64,
     /// The least ratio of an edge's length to its size.
+    #[cfg_attr(feature = "serde", serde(rename = "least_ratio"))]
     pub least: f64,
     /// The greatest ratio.
+    #[cfg_attr(feature = "serde", serde(rename = "greatest_ratio"))]
     pub greatest: f64,
     /// Edges that stay and are longer than was asked for there, in ascending order.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub coarse: Vec<CoarseEdge>,
 }
 

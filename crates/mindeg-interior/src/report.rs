@@ -10,14 +10,17 @@ pub(crate) const ENOUGH: f64 = LocalShares::MOST;
 
 /// A vertex whose degree is out of its range.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Violation {
     /// The vertex.
     pub vertex: u32,
     /// Where it is.
+    #[cfg_attr(feature = "serde", serde(rename = "position"))]
     pub at: DVec2,
     /// Its degree.
     pub degree: u32,
     /// True for a boundary vertex.
+    #[cfg_attr(feature = "serde", serde(rename = "on_boundary"))]
     pub is_boundary: bool,
 }
 
@@ -71,10 +74,12 @@ pub struct CornerTradeOff {
 /// The edges divide the mesh round the vertex into sectors. Each takes a triangle, two if its angle is 180° or more,
 /// three if it is a full turn; on the boundary there is one edge more than triangles.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct CertifiedVertex {
     /// The vertex.
     pub vertex: u32,
     /// Where it is.
+    #[cfg_attr(feature = "serde", serde(rename = "position"))]
     pub at: DVec2,
     /// The other ends of the edges, counter-clockwise.
     pub edges: Vec<u32>,
@@ -162,7 +167,10 @@ impl InteriorReport {
     /// there. `None` without meshes. O(n) for n triangles.
     #[must_use]
     pub fn of_all(reports: impl IntoIterator<Item = (u32, Self)>) -> Option<Self> {
-        let mut all = reports.into_iter().map(|(first, report)| report.moved(first));
+        let mut all = reports.into_iter().map(|(first, mut report)| {
+            report.names().for_each(|vertex| *vertex += first);
+            report
+        });
         let mut sum = all.next()?;
         for report in all {
             sum = sum.with(report);
@@ -173,8 +181,8 @@ impl InteriorReport {
         Some(sum)
     }
 
-    /// The same with vertices counted from another index on.
-    fn moved(mut self, first: u32) -> Self {
+    /// The names of all vertices that the report tells of.
+    fn names(&mut self) -> impl Iterator<Item = &mut u32> {
         let Limits { any_degree, with_degree_limit, tent } = &mut self.limits;
         let tents = tent.iter_mut().flat_map(|tent| &mut tent.edges);
         let own = [&mut self.min_angle_vertex, &mut self.local.vertex];
@@ -185,9 +193,7 @@ impl InteriorReport {
         let certified = certified.flat_map(|it| [&mut it.vertex].into_iter().chain(&mut it.edges));
         let vertices = own.into_iter().chain(limits).chain(tents).chain(violations);
         let together = self.together.iter_mut().flat_map(TogetherBound::names);
-        let vertices = vertices.chain(corners).chain(certified).chain(together);
-        vertices.for_each(|vertex| *vertex += first);
-        self
+        vertices.chain(corners).chain(certified).chain(together)
     }
 
     /// This and another, but for the percentiles.
@@ -260,21 +266,7 @@ impl InteriorReport {
     /// The same report with other names of the vertices, and of the edges of the boundary and its lines.
     #[must_use]
     pub fn renamed(mut self, name: impl Fn(u32) -> u32, edge: impl Fn(u32) -> u32) -> Self {
-        let Self {
-            limits, min_angle_vertex, local, corners, violations, certified, together, ..
-        } = &mut self;
-        let Limits { any_degree, with_degree_limit, tent } = limits;
-        let fans = [&mut any_degree.vertex, &mut with_degree_limit.vertex, min_angle_vertex];
-        let tents = tent.iter_mut().flat_map(|tent| &mut tent.edges);
-        let places = corners.iter_mut().map(|corner| &mut corner.vertex);
-        let places = places.chain(violations.iter_mut().map(|violation| &mut violation.vertex));
-        let proven =
-            certified.iter_mut().flat_map(|own| own.edges.iter_mut().chain([&mut own.vertex]));
-        let proven = proven.chain(together.iter_mut().flat_map(TogetherBound::names));
-        let places = places.chain(proven).chain([&mut local.vertex]);
-        for vertex in fans.into_iter().chain(tents).chain(places) {
-            *vertex = name(*vertex);
-        }
+        self.names().for_each(|vertex| *vertex = name(*vertex));
         for coarse in self.sizes.iter_mut().flat_map(|sizes| &mut sizes.coarse) {
             coarse.edge = edge(coarse.edge);
         }

@@ -7,10 +7,12 @@ use std::collections::BTreeMap;
 
 /// A side or line with edges that are more than 1.4 times as long as the sizes asked for there.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
 pub struct CoarseSide {
     /// Its name, such as "side 1".
     pub name: String,
     /// The middle of the edge that is the most times too long.
+    #[cfg_attr(feature = "json", serde(rename = "position"))]
     pub at: DVec2,
     /// The length of that edge.
     pub length: f64,

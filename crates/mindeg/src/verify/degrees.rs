@@ -17,12 +17,14 @@ use super::sides::Sides;
 
 /// A vertex of a remesh at a corner of its part that allows no degree of the usual range.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
 pub struct ProvenDegree {
     /// The vertex.
     pub vertex: u32,
     /// The number of edges at the vertex.
     pub degree: u32,
     /// Whether it lies on the boundary.
+    #[cfg_attr(feature = "json", serde(skip))]
     pub on_boundary: bool,
     /// The least and greatest degree that the sectors of the corner allow.
     pub allowed: [u32; 2],
