@@ -184,30 +184,7 @@ impl Inspection {
         let boundary_loop_count = loops.iter().filter(|boundary| boundary.closed).count();
         let euler_characteristic =
             used_count as i64 - topology.edge_count as i64 + face_count as i64;
-        let is_manifold =
-            topology.non_manifold_edges.is_empty() && topology.non_manifold_vertices.is_empty();
-        let outline = match &loops[..] {
-            [outline]
-                if is_manifold && topology.component_count == 1 && euler_characteristic == 1 =>
-            {
-                if outline.vertices.len() == used_count {
-                    let points: Vec<_> =
-                        outline.vertices.iter().map(|&v| positions[v as usize]).collect();
-                    // A welded vertex may be as far away as the vertices that it is merged with.
-                    let weld = options.weld.filter(|_| welded_count > 0).unwrap_or(0.0);
-                    let rounding = mesh.rounding().max(weld);
-                    convex_outline::convex_outline(&points, rounding, options.corner_angle)
-                        .map(|found| found.named(&outline.vertices))
-                } else {
-                    Err(NoConvexOutline::InteriorVertices)
-                }
-            }
-            _ => Err(NoConvexOutline::NotADisk),
-        };
-        let is_closed = topology.boundary.edge_count() == 0 && face_count > 0;
-        let has_inside = is_closed && is_manifold && topology.inconsistent_edges.is_empty();
-        Self {
-            volume: has_inside.then(|| volume(mesh)).filter(|volume| volume.is_finite()),
+        let mut inspection = Self {
             vertex_count,
             welded_count,
             triangle_count: mesh.triangles().len(),
@@ -230,8 +207,33 @@ impl Inspection {
             poles: topology.poles,
             quality,
             worst_triangles,
-            outline,
+            volume: None,
+            outline: Err(NoConvexOutline::NotADisk),
+        };
+        if inspection.has_inside() {
+            inspection.volume = Some(volume(mesh)).filter(|volume| volume.is_finite());
         }
+        let is_disk = inspection.is_manifold()
+            && inspection.component_count == 1
+            && euler_characteristic == 1;
+        if let ([outline], true) = (&loops[..], is_disk) {
+            inspection.outline = if outline.vertices.len() == used_count {
+                let points: Vec<_> =
+                    outline.vertices.iter().map(|&v| positions[v as usize]).collect();
+                // A welded vertex may be as far away as the vertices that it is merged with.
+                let weld = options.weld.filter(|_| welded_count > 0).unwrap_or(0.0);
+                let rounding = mesh.rounding().max(weld);
+                convex_outline::convex_outline(&points, rounding, options.corner_angle)
+                    .map(|found| found.named(&outline.vertices))
+            } else {
+                Err(NoConvexOutline::InteriorVertices)
+            };
+        }
+        inspection
+    }
+
+    fn has_inside(&self) -> bool {
+        self.is_closed() && self.is_manifold() && self.inconsistent_edges.is_empty()
     }
 
     /// Whether every edge has at least two faces.
@@ -247,10 +249,8 @@ impl Inspection {
     /// The number of handles of all components together: 0 for a sphere, 1 for a torus; `None` if
     /// the mesh is not closed, manifold and consistently wound.
     pub fn genus(&self) -> Option<u64> {
-        let has_inside =
-            self.is_closed() && self.is_manifold() && self.inconsistent_edges.is_empty();
         let doubled = 2 * self.component_count as i64 - self.euler_characteristic;
-        has_inside.then_some(doubled.max(0) as u64 / 2)
+        self.has_inside().then_some(doubled.max(0) as u64 / 2)
     }
 
     /// The degree of `highest_degree`; 0 if the mesh has no face.
