@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 use mindeg_mesh::ear_clipping::cut_polygon;
-use mindeg_mesh::{ByName, Line, LineKind, Mesh, TriMesh, filled};
+use mindeg_mesh::{ByName, Line, LineKind, Mesh, TriMesh, edges_of, filled, sorted};
 use std::ops::Range;
 
 use crate::corners::{segments, triangles};
@@ -142,7 +142,7 @@ impl<'a> MarkedChains<'a> {
         let count = self.mesh.triangle_count();
         for start in (0..count).step_by(BLOCK as usize) {
             for [a, b, c] in triangles(self.mesh, start..start.saturating_add(BLOCK).min(count)) {
-                for edge in [[a, b], [b, c], [c, a]] {
+                for edge in edges_of([a, b, c]) {
                     if let Ok(at) = edges.binary_search(&sorted(edge)) {
                         beside[at] = beside[at].saturating_add(1);
                     }
@@ -228,10 +228,6 @@ impl<'a> MarkedChains<'a> {
         let largest = placed.max_by(|a, b| area(a).total_cmp(&area(b)));
         largest.map_or(DVec2::ZERO, |[a, b, c]| (a / 3.0 + b / 3.0 + c / 3.0).truncate())
     }
-}
-
-fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
-    [a.min(b), a.max(b)]
 }
 
 /// The index of the name of each vertex: that of the last segment that begins there, or else ends.

@@ -4,6 +4,7 @@ use crate::options::Options;
 use crate::size::SizeField;
 use glam::DVec2;
 use mindeg_mesh::planar::PlanarBoundary;
+use mindeg_mesh::{edges_of, sorted};
 use std::collections::BTreeSet;
 use std::ops::RangeInclusive;
 
@@ -59,7 +60,7 @@ impl SizeReport {
         let given = (outline.points().len() + outline.inner_points().len()) as u32;
         let (mut near, mut count) = (0_usize, 0_usize);
         let (mut least, mut greatest) = (f64::INFINITY, 0.0_f64);
-        for [a, b] in triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]) {
+        for [a, b] in triangles.iter().copied().flat_map(edges_of) {
             // Each edge inside once.
             if a > b || b < given && frozen.contains(&[a, b]) {
                 continue;
@@ -124,8 +125,4 @@ fn frozen_edges<'a>(
         None => true,
     };
     (0..outline.edge_count()).filter(stays)
-}
-
-fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
-    [a.min(b), a.max(b)]
 }

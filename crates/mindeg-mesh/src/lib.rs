@@ -30,6 +30,7 @@ mod connectivity;
 pub mod crossing;
 pub mod distance;
 pub mod ear_clipping;
+mod edges;
 pub mod inspection;
 mod mesh;
 mod normals;
@@ -51,6 +52,7 @@ pub use box_tree::BoxTree;
 pub use by_name::ByName;
 pub use connectivity::boundary::BoundaryLoop;
 pub use connectivity::disjoint_sets::DisjointSets;
+pub use edges::{edges_of, sorted};
 pub use mesh::{
     Group, Line, LineKind, Material, Mesh, NamedVertex, PeriodicLine, Positions, Triangles, filled,
 };

@@ -11,7 +11,7 @@ use std::sync::Arc as Shared;
 
 use mindeg_domain::InnerPoint;
 use mindeg_formats::{Polylines, msh, obj};
-use mindeg_mesh::NamedVertex;
+use mindeg_mesh::{NamedVertex, sorted};
 
 use super::curve::{PieceCurve, Segment};
 use super::loops::{self, Link};
@@ -108,7 +108,7 @@ fn surfaces(file: &Polylines) -> Result<Outlines, OutlineError> {
         let name = (!line.name.trim().is_empty()).then(|| Shared::<str>::from(&*line.name));
         let own = line.segments.start as usize..line.segments.end as usize;
         lines.extend(
-            file.segments[own].iter().map(|&edge| (key(edge), (index as u64, name.clone()))),
+            file.segments[own].iter().map(|&edge| (sorted(edge), (index as u64, name.clone()))),
         );
     }
     let around = file.surfaces.iter().flat_map(|surface| &surface.edges);
@@ -121,7 +121,7 @@ fn surfaces(file: &Polylines) -> Result<Outlines, OutlineError> {
     let mut is_bound = HashSet::new();
     for (surface, index) in file.surfaces.iter().zip(1..) {
         let link = |&ends: &[u32; 2]| {
-            let (part_of, side) = lines.get(&key(ends)).cloned().unwrap_or((u64::MAX, None));
+            let (part_of, side) = lines.get(&sorted(ends)).cloned().unwrap_or((u64::MAX, None));
             Link { ends, curve: PieceCurve::Line, side, part_of }
         };
         let links: Vec<Link> = surface.edges.iter().map(link).collect();
@@ -134,15 +134,15 @@ fn surfaces(file: &Polylines) -> Result<Outlines, OutlineError> {
         outlines.notes.extend(note);
         let name = Some(&*surface.name).filter(|name| !name.is_empty());
         outlines.add(rings, FillRule::EvenOdd, name)?;
-        is_bound.extend(surface.edges.iter().map(|&edge| key(edge)));
+        is_bound.extend(surface.edges.iter().map(|&edge| sorted(edge)));
     }
     let mut on_lines = HashSet::new();
     for line in &file.lines {
-        let side = lines.get(&key(file.segments[line.segments.start as usize]));
+        let side = lines.get(&sorted(file.segments[line.segments.start as usize]));
         for segment in line.segments.clone() {
             let ends = file.segments[segment as usize];
             on_lines.extend(ends);
-            if !is_bound.contains(&key(ends)) {
+            if !is_bound.contains(&sorted(ends)) {
                 let [start, end] = ends.map(|end| points[end as usize]);
                 outlines.inside.lines.push(Border {
                     segment: Segment { start, end, curve: PieceCurve::Line },
@@ -162,11 +162,6 @@ fn surfaces(file: &Polylines) -> Result<Outlines, OutlineError> {
         }
     }
     Ok(outlines)
-}
-
-/// An edge whichever way it runs.
-fn key([a, b]: [u32; 2]) -> [u32; 2] {
-    [a.min(b), a.max(b)]
 }
 
 /// A note if all z are one number other than 0.

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use glam::DVec2;
+use mindeg_mesh::sorted;
 
 use super::curve::{PieceCurve, Segment};
 use super::outline::{Border, Outlines, Piece};
@@ -69,13 +70,12 @@ impl Outlines {
         let mut whole = vec![0; pieces];
         piece_of.iter().for_each(|&piece| whole[piece] += 1);
         let at = |vertex: u32| vertices.points[vertex as usize];
-        let key = |[a, b]: [u32; 2]| [a.min(b), a.max(b)];
         let mut known = BTreeSet::new();
         let mut next = parts.iter().zip(whole);
         for ring in self.features.iter_mut().flat_map(|feature| &mut feature.rings) {
             let mut pieces = Vec::with_capacity(ring.pieces.len());
             for (piece, (own, whole)) in ring.pieces.drain(..).zip(next.by_ref()) {
-                known.extend(own.iter().map(|&ends| key(ends)));
+                known.extend(own.iter().map(|&ends| sorted(ends)));
                 if own.len() == whole {
                     pieces.push(piece);
                     continue;
@@ -93,12 +93,12 @@ impl Outlines {
         for (line, (own, whole)) in self.inside.lines.drain(..).zip(next) {
             if own.len() == whole {
                 let before = known.len();
-                known.extend(own.iter().map(|&ends| key(ends)));
+                known.extend(own.iter().map(|&ends| sorted(ends)));
                 lines.extend((known.len() > before).then_some(line));
                 continue;
             }
             for (index, &ends) in
-                own.iter().enumerate().filter(|(_, ends)| known.insert(key(**ends)))
+                own.iter().enumerate().filter(|(_, ends)| known.insert(sorted(**ends)))
             {
                 let [start, end] = ends.map(at);
                 lines.push(Border {

@@ -1,6 +1,7 @@
 //! The edges of a surface that a remesher keeps: its boundary, borders between groups, and sharp edges.
 
 use glam::DVec3;
+use mindeg_mesh::sorted;
 
 use crate::NONE;
 use crate::links::{Links, by_vertex, edge_of};
@@ -99,7 +100,6 @@ struct FeatureLines {
 
 impl FeatureLines {
     fn new(links: &Links, given: &Given<'_>, rules: &FeatureRules) -> Self {
-        let sorted = |[a, b]: [u32; 2]| [a.min(b), a.max(b)];
         let mut kept: Vec<[u32; 2]> = given.edges.iter().copied().map(sorted).collect();
         kept.sort_unstable();
         let is_kept = |corners: [u32; 3], i: usize| {

@@ -4,7 +4,7 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use glam::DVec3;
-use mindeg_mesh::{Bounds, BoxTree, Cancelled, Progress};
+use mindeg_mesh::{Bounds, BoxTree, Cancelled, Progress, edges_of};
 
 use crate::curves::CurveSpan;
 use crate::links::by_vertex;
@@ -210,7 +210,7 @@ impl<'a> Ways<'a> {
 /// Lowers sizes so that they grow by at most `growth` per unit of length along edges. O(n log n).
 fn grow(surface: &Surface, growth: f64, sizes: &mut [f64]) {
     let (starts, at) = {
-        let edges = surface.triangles().iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+        let edges = surface.triangles().iter().copied().flat_map(edges_of);
         by_vertex(sizes.len(), edges)
     };
     let corner = |edge: u32| {

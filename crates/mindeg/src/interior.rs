@@ -174,7 +174,7 @@ fn pieces(boundary: &PlanarBoundary, edges: &[[u32; 2]]) -> Vec<Vec<[u32; 2]>> {
 mod tests {
     use super::*;
     use mindeg_domain::{Arc, Curve, Outline, Side};
-    use mindeg_mesh::Triangles;
+    use mindeg_mesh::{Triangles, edges_of};
 
     /// The points of a curved side of one interval are on a line, whichever mesh of the domain has it.
     #[test]
@@ -230,7 +230,7 @@ mod tests {
     /// The mean length of the edges inside a disc that are on no side.
     fn mean_length(mesh: &TriMesh, at: [f64; 2], radius: f64) -> f64 {
         let at = glam::DVec3::new(at[0], at[1], 0.0);
-        let edges = mesh.triangles().iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+        let edges = mesh.triangles().iter().copied().flat_map(edges_of);
         let ends = edges.map(|edge| edge.map(|v| mesh.positions()[v as usize]));
         let near = ends.filter(|ends| ends.iter().all(|end| end.distance(at) < radius));
         let lengths: Vec<f64> = near.map(|[a, b]| a.distance(b)).collect();

@@ -10,8 +10,7 @@
 
 use crate::error::MeshError;
 use glam::DVec3;
-use mindeg_mesh::TriMesh;
-use mindeg_mesh::weld;
+use mindeg_mesh::{TriMesh, edges_of, weld};
 use std::collections::{BTreeMap, BTreeSet};
 use thiserror::Error;
 
@@ -178,7 +177,7 @@ impl Loops {
 
     /// Adds the edges of new triangles to degrees and edges.
     pub(crate) fn add(&mut self, triangles: &[[u32; 3]]) {
-        let edges = triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+        let edges = triangles.iter().copied().flat_map(edges_of);
         for edge in edges.flat_map(|[a, b]| [[a, b], [b, a]]) {
             if self.edges.binary_search(&edge).is_err() && self.added.insert(edge) {
                 self.degrees[edge[0] as usize] += 1;

@@ -6,7 +6,9 @@ use std::sync::Arc;
 use mindeg_domain::Domain;
 use mindeg_mesh::check::CheckError;
 use mindeg_mesh::planar::PlanarBoundary;
-use mindeg_mesh::{Group, Material};
+#[cfg(feature = "interior")]
+use mindeg_mesh::sorted;
+use mindeg_mesh::{Group, Material, edges_of};
 
 use crate::error::MeshError;
 
@@ -76,7 +78,7 @@ pub(crate) fn lines_of_map(
         return Ok(Vec::new());
     }
     let halves: BTreeSet<[u32; 2]> =
-        triangles.iter().flat_map(|triangle| edges(*triangle)).collect();
+        triangles.iter().flat_map(|triangle| edges_of(*triangle)).collect();
     let mut open = Vec::new();
     for (edge, &[from, to]) in (boundary.vertex_count()..).zip(boundary.segments()) {
         let Some(faces) = domain.faces() else { break };
@@ -98,7 +100,7 @@ pub(crate) fn interfaces(triangles: &[[u32; 3]], group: impl Fn(usize) -> usize)
     let mut halves: Vec<([u32; 2], usize)> = triangles
         .iter()
         .enumerate()
-        .flat_map(|(index, triangle)| edges(*triangle).map(|edge| (sorted(edge), group(index))))
+        .flat_map(|(index, triangle)| edges_of(*triangle).map(|edge| (sorted(edge), group(index))))
         .collect();
     halves.sort_unstable();
     let mut found: Vec<[u32; 2]> = halves
@@ -115,7 +117,7 @@ pub(crate) fn interfaces(triangles: &[[u32; 3]], group: impl Fn(usize) -> usize)
 pub(crate) fn spread(triangles: &[[u32; 3]], known: &BTreeMap<[u32; 2], usize>) -> Vec<usize> {
     let mut left = BTreeMap::new();
     for (index, triangle) in triangles.iter().enumerate() {
-        left.extend(edges(*triangle).map(|edge| (edge, index)));
+        left.extend(edges_of(*triangle).map(|edge| (edge, index)));
     }
     let mut group = vec![usize::MAX; triangles.len()];
     let mut queue = VecDeque::new();
@@ -126,7 +128,7 @@ pub(crate) fn spread(triangles: &[[u32; 3]], known: &BTreeMap<[u32; 2], usize>) 
         }
     }
     while let Some(index) = queue.pop_front() {
-        for [a, b] in edges(triangles[index]) {
+        for [a, b] in edges_of(triangles[index]) {
             if known.contains_key(&[a, b]) {
                 continue;
             }
@@ -139,16 +141,6 @@ pub(crate) fn spread(triangles: &[[u32; 3]], known: &BTreeMap<[u32; 2], usize>) 
         }
     }
     group
-}
-
-/// A triangle's edges, the triangle on the left of each.
-pub(crate) fn edges([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
-    [[a, b], [b, c], [c, a]]
-}
-
-#[cfg(feature = "interior")]
-fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
-    [a.min(b), a.max(b)]
 }
 
 #[cfg(test)]

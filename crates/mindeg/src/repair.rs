@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 use glam::DVec3;
 use mindeg_mesh::quality::area_in_space;
-use mindeg_mesh::{DisjointSets, Group, Progress, TriMesh, Triangles, weld};
+use mindeg_mesh::{DisjointSets, Group, Progress, TriMesh, Triangles, edges_of, sorted, weld};
 
 use crate::error::MeshError;
 use crate::fill::{FillOptions, fill};
@@ -114,14 +114,6 @@ struct Faces<'a> {
 /// The faces at an edge.
 type AtEdge = BTreeMap<[u32; 2], Vec<u32>>;
 
-fn edges([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
-    [[a, b], [b, c], [c, a]]
-}
-
-fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
-    [a.min(b), a.max(b)]
-}
-
 impl<'a> Faces<'a> {
     fn of(mesh: &'a TriMesh, repairs: &mut Repairs) -> Self {
         let positions = mesh.positions();
@@ -154,7 +146,7 @@ impl<'a> Faces<'a> {
     fn by_edge(&self) -> AtEdge {
         let mut at_edge = AtEdge::new();
         for (face, (corners, _)) in (0_u32..).zip(&self.list) {
-            for edge in edges(*corners) {
+            for edge in edges_of(*corners) {
                 at_edge.entry(sorted(edge)).or_default().push(face);
             }
         }
@@ -198,7 +190,7 @@ impl<'a> Faces<'a> {
             let beyond: Vec<u32> = at_edge[&sorted([a, b])].clone();
             is_dropped[face as usize] = true;
             repairs.flat_faces += 1;
-            for edge in edges(corners) {
+            for edge in edges_of(corners) {
                 at_edge.entry(sorted(edge)).or_default().retain(|other| *other != face);
             }
             let &[one, other] = beyond.as_slice() else { continue };
@@ -213,11 +205,11 @@ impl<'a> Faces<'a> {
             self.list[neighbour as usize].0 = to_a;
             self.list.push((to_b, group));
             is_dropped.push(false);
-            for edge in edges(across) {
+            for edge in edges_of(across) {
                 at_edge.entry(sorted(edge)).or_default().retain(|other| *other != neighbour);
             }
             for (part, corners) in [(neighbour, to_a), (new, to_b)] {
-                for edge in edges(corners) {
+                for edge in edges_of(corners) {
                     at_edge.entry(sorted(edge)).or_default().push(part);
                 }
                 if self.flat(corners).is_some() {
@@ -273,7 +265,7 @@ impl<'a> Faces<'a> {
             let mut is_dropped = vec![false; self.list.len()];
             let mut lost = vec![false; self.list.len()];
             for (edge, faces) in at_edge.iter().filter(|(_, faces)| faces.len() > 2) {
-                let runs = |face: u32| edges(self.list[face as usize].0).contains(edge);
+                let runs = |face: u32| edges_of(self.list[face as usize].0).contains(edge);
                 let mut ranked: Vec<(f64, f64, u32)> = faces
                     .iter()
                     .map(|face| (areas[pieces.least(*face) as usize], self.area(*face), *face))
@@ -317,10 +309,10 @@ impl<'a> Faces<'a> {
             while let Some(&face) = piece.get(next) {
                 next += 1;
                 let own = turned[face as usize].unwrap_or(false);
-                for edge in edges(self.list[face as usize].0) {
+                for edge in edges_of(self.list[face as usize].0) {
                     for &other in at_edge[&sorted(edge)].iter().filter(|other| **other != face) {
                         if turned[other as usize].is_none() {
-                            let agrees = !edges(self.list[other as usize].0).contains(&edge);
+                            let agrees = !edges_of(self.list[other as usize].0).contains(&edge);
                             turned[other as usize] = Some(own == agrees);
                             piece.push(other);
                         }

@@ -2,6 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet, HashMap, TryReserveError};
 
+use mindeg_mesh::sorted;
+
 use crate::ReadError;
 use crate::lists::push;
 use crate::names::PHYSICAL;
@@ -166,13 +168,12 @@ fn surface_name(tag: i64, name: &str) -> String {
 
 /// The edges that come an odd number of times, without chains that end within the surface. O(n log n).
 fn around(edges: Vec<[u32; 2]>) -> Vec<[u32; 2]> {
-    let key = |[a, b]: [u32; 2]| [a.min(b), a.max(b)];
     let mut counts: HashMap<[u32; 2], u32> = HashMap::new();
-    edges.iter().for_each(|&edge| *counts.entry(key(edge)).or_default() += 1);
+    edges.iter().for_each(|&edge| *counts.entry(sorted(edge)).or_default() += 1);
     let mut kept = edges;
     kept.retain(|&[a, b]| {
         // The first of them stays.
-        let count = counts.get_mut(&key([a, b])).map_or(0, std::mem::take);
+        let count = counts.get_mut(&sorted([a, b])).map_or(0, std::mem::take);
         a != b && count % 2 == 1
     });
     let mut at: HashMap<u32, Vec<usize>> = HashMap::new();

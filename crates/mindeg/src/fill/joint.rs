@@ -13,7 +13,7 @@ use crate::loops::{Loops, MeshLoop};
 use mindeg_exact::{
     COVER_STEPS, Cover, Decision, LoopLimit, LoopProblem, LoopTriangulation, Unsolved, fill_loop,
 };
-use mindeg_mesh::{Progress, TriMesh};
+use mindeg_mesh::{Progress, TriMesh, edges_of};
 use std::collections::BTreeMap;
 
 /// The shares of loops, by their indices.
@@ -161,7 +161,7 @@ fn corner_counts(triangles: &[[u32; 3]], vertices: usize) -> Vec<u32> {
 /// The edges of a loop's filling that are not the loop's own, as vertices of the mesh, each ascending.
 fn chords(found: &MeshLoop, filling: &[[u32; 3]]) -> Vec<[u32; 2]> {
     let count = found.vertices.len();
-    let edges = filling.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let edges = filling.iter().copied().flat_map(edges_of);
     let is_chord = |[a, b]: [u32; 2]| ![1, count as u32 - 1].contains(&a.abs_diff(b));
     let vertex = |place: u32| found.vertices[count - 1 - place as usize];
     edges

@@ -1,17 +1,17 @@
 //! The optimiser on a planar mesh of any program, in any plane of space.
 
-use mindeg_mesh::number;
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::error::MeshError;
 use glam::{DVec2, DVec3};
 use mindeg_domain::Interior;
 use mindeg_interior::{InteriorReport, Keep};
-use mindeg_mesh::weld;
-use mindeg_mesh::{Bounds, Group, NamedVertex, Progress, TriMesh, Triangles};
+use mindeg_mesh::{
+    Bounds, Group, NamedVertex, Progress, TriMesh, Triangles, edges_of, number, weld,
+};
 
 use super::plane::Plane;
-use crate::regions::{edges, interfaces, spread};
+use crate::regions::{interfaces, spread};
 
 /// An improved mesh, with what it was like before and is like after.
 #[derive(Clone, Debug, PartialEq)]
@@ -94,10 +94,10 @@ pub fn improve(
         // Boundary edges and those kept know the group on their left; all of them are still there.
         let is_kept: BTreeSet<[u32; 2]> =
             keep.edges.iter().flat_map(|[a, b]| [[*a, *b], [*b, *a]]).collect();
-        let all: BTreeSet<[u32; 2]> = triangles.iter().flat_map(|t| edges(*t)).collect();
+        let all: BTreeSet<[u32; 2]> = triangles.iter().flat_map(|t| edges_of(*t)).collect();
         let mut known = BTreeMap::new();
         for (index, triangle) in triangles.iter().enumerate() {
-            for [a, b] in edges(*triangle) {
+            for [a, b] in edges_of(*triangle) {
                 if is_kept.contains(&[a, b]) || !all.contains(&[b, a]) {
                     known.insert(renew([a, b]), group(index));
                 }
@@ -199,7 +199,7 @@ fn plane(mesh: &TriMesh, positions: &[DVec3], triangles: &[[u32; 3]]) -> Result<
 fn keep(triangles: &[[u32; 3]], segments: &[[u32; 2]], group: impl Fn(usize) -> usize) -> Keep {
     let mut keep = Keep { vertices: Vec::new(), edges: interfaces(triangles, group) };
     if !segments.is_empty() {
-        let all: BTreeSet<[u32; 2]> = triangles.iter().flat_map(|t| edges(*t)).collect();
+        let all: BTreeSet<[u32; 2]> = triangles.iter().flat_map(|t| edges_of(*t)).collect();
         for [a, b] in segments {
             // On the boundary nothing moves anyway.
             match (all.contains(&[*a, *b]), all.contains(&[*b, *a])) {

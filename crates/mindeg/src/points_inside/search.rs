@@ -9,9 +9,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use glam::DVec3;
 use mindeg_interior::{RemeshError, RemeshOptions, Remeshed, remesh};
-use mindeg_mesh::Progress;
 use mindeg_mesh::crossing::crossings;
 use mindeg_mesh::quality::min_angle;
+use mindeg_mesh::{Progress, edges_of, sorted};
 use mindeg_surfaces::{FeatureRules, Given, Surface};
 
 use super::fairing::{Patch, faired};
@@ -98,9 +98,8 @@ fn is_folded(points: &[DVec3], around: &[[u32; 3]], patch: &[[u32; 3]]) -> bool 
     };
     let mut edges: Vec<([u32; 2], DVec3)> = Vec::with_capacity(3 * patch.len());
     for triangle in patch {
-        let [a, b, c] = *triangle;
         let normal = normal(triangle);
-        edges.extend([[a, b], [b, c], [c, a]].map(|[a, b]| ([a.min(b), a.max(b)], normal)));
+        edges.extend(edges_of(*triangle).map(|edge| (sorted(edge), normal)));
     }
     edges.sort_by_key(|(edge, _)| *edge);
     let turns_back = edges
@@ -120,8 +119,7 @@ fn remeshed(
 ) -> Result<Remeshed, NoPoints> {
     let triangles: Vec<[u32; 3]> = around.iter().chain(patch).copied().collect();
     let groups = [vec![AROUND; around.len()], vec![FILLING; patch.len()]].concat();
-    let edges: Vec<[u32; 2]> =
-        around.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]).collect();
+    let edges: Vec<[u32; 2]> = around.iter().copied().flat_map(edges_of).collect();
     let given = Given { groups: &groups, edges: &edges, corners: &[] };
     let rules = FeatureRules { angle_deg: 180.0, ..FeatureRules::default() };
     let surface = Surface::keeping(points, &triangles, &given, &rules)

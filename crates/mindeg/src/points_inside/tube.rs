@@ -4,6 +4,7 @@
 use std::collections::BTreeMap;
 
 use glam::DVec3;
+use mindeg_mesh::edges_of;
 
 /// A curve has at most so many pieces.
 const MOST_PIECES: f64 = 256.0;
@@ -22,9 +23,7 @@ pub(super) fn tube(
     let at = |v: u32| points[v as usize];
     // The edges of the strip from rim to rim, from the first.
     let across = |triangle: &[u32; 3]| {
-        let [a, b, c] = *triangle;
-        let edges = [[a, b], [b, c], [c, a]];
-        let ordered = edges.map(|[a, b]| if is_first(a) { [a, b] } else { [b, a] });
+        let ordered = edges_of(*triangle).map(|[a, b]| if is_first(a) { [a, b] } else { [b, a] });
         ordered.into_iter().filter(|&[a, b]| is_first(a) && !is_first(b))
     };
     let mut curves: BTreeMap<[u32; 2], Vec<u32>> =
@@ -86,14 +85,13 @@ fn leaving_directions(
     strip: &[[u32; 3]],
 ) -> BTreeMap<u32, DVec3> {
     let at = |v: u32| points[v as usize];
-    let edges = |&[a, b, c]: &[u32; 3]| [[a, b], [b, c], [c, a]];
-    let mut beside: Vec<[u32; 2]> = strip.iter().flat_map(edges).collect();
+    let mut beside: Vec<[u32; 2]> = strip.iter().copied().flat_map(edges_of).collect();
     beside.sort_unstable();
     let mut ways: BTreeMap<u32, DVec3> = BTreeMap::new();
     for triangle in around {
         let [a, b, c] = triangle.map(at);
         let normal = (b - a).cross(c - a);
-        for [from, to] in edges(triangle) {
+        for [from, to] in edges_of(*triangle) {
             // The strip runs against the faces.
             if beside.binary_search(&[to, from]).is_ok() {
                 let way = (at(to) - at(from)).cross(normal).normalize_or_zero();

@@ -4,17 +4,13 @@ use std::collections::BTreeMap;
 
 use glam::DVec3;
 use mindeg_interior::RemeshedCurve;
-use mindeg_mesh::{Line, NamedVertex, TriMesh, TriMeshError, Triangles, weld};
+use mindeg_mesh::{Line, NamedVertex, TriMesh, TriMeshError, Triangles, sorted, weld};
 use mindeg_surfaces::Surface;
 
 /// Whether all lines, and all names, are in the mesh.
 pub(super) struct CarriedOver {
     pub(super) lines: bool,
     pub(super) names: bool,
-}
-
-fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
-    [a.min(b), a.max(b)]
 }
 
 /// The segments of lines, and the points that are corners: those with names, and those where lines end or cross.

@@ -2,9 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use mindeg_mesh::{Group, Line, LineKind, NamedVertex, Positions, TriMesh, Triangles};
+use mindeg_mesh::{
+    Group, Line, LineKind, NamedVertex, Positions, TriMesh, Triangles, edges_of, sorted,
+};
 
-use super::overlap::edges_of;
 use crate::error::MeshError;
 
 /// The rest of a mesh.
@@ -47,13 +48,12 @@ impl Cut {
         };
         let groups = of.groups().iter().map(group).collect();
         let edges: BTreeSet<[u32; 2]> =
-            edges_of(&self.triangles).map(|[from, to]| [from.min(to), from.max(to)]).collect();
+            self.triangles.iter().copied().flat_map(edges_of).map(sorted).collect();
         let (mut lines, mut kinds, mut segments) =
             (Vec::new(), Vec::<Option<LineKind>>::new(), Vec::new());
         for (index, line) in of.lines().iter().enumerate() {
             let own = line.segments.start as usize..line.segments.end as usize;
-            let is_left =
-                |[from, to]: &&[u32; 2]| edges.contains(&[(*from).min(*to), (*from).max(*to)]);
+            let is_left = |ends: &&[u32; 2]| edges.contains(&sorted(**ends));
             let left: Vec<[u32; 2]> = of.segments()[own].iter().filter(is_left).copied().collect();
             for piece in left.chunk_by(|a, b| a[1] == b[0]) {
                 let start = segments.len() as u32;

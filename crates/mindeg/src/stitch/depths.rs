@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use glam::DVec2;
+use mindeg_mesh::edges_of;
 
 /// The depths with those of new vertices: each is the mean of its neighbours, the nearer ones weighing more.
 pub(super) fn depths_between(
@@ -21,7 +22,7 @@ pub(super) fn depths_between(
     });
     depths.resize(points.len(), if count > 0.0 { sum / count } else { 0.0 });
     let mut neighbors: BTreeMap<u32, BTreeSet<u32>> = BTreeMap::new();
-    for [a, b] in triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]) {
+    for [a, b] in triangles.iter().copied().flat_map(edges_of) {
         for [a, b] in [[a, b], [b, a]] {
             if a >= first {
                 neighbors.entry(a).or_default().insert(b);

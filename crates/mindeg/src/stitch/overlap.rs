@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use glam::DVec2;
 use mindeg_mesh::planar::orientation;
-use mindeg_mesh::{Bounds, BoxTree, TriMesh};
+use mindeg_mesh::{Bounds, BoxTree, TriMesh, edges_of};
 
 use super::gap::is_right_of;
 use super::proof::boundary_of;
@@ -23,11 +23,6 @@ pub struct Dropped {
     pub near: usize,
     /// The vertices that went with them.
     pub vertices: usize,
-}
-
-/// The edges of triangles, each with its triangle on the left.
-pub(super) fn edges_of(triangles: &[[u32; 3]]) -> impl Iterator<Item = [u32; 2]> + '_ {
-    triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]])
 }
 
 /// The boundary of a mesh, with a tree to find its edges.
@@ -211,10 +206,7 @@ impl<'a> Overlap<'a> {
                 let whole = if is_bank { angles(own) } else { TAU };
                 let is_sharp = whole - angles(&left) < LEAST_ANGLE;
                 // A fan has one triangle more than inner edges.
-                let inner = left.iter().flat_map(|it| {
-                    edges_of(std::slice::from_ref(&self.triangles[*it as usize]))
-                        .collect::<Vec<_>>()
-                });
+                let inner = left.iter().flat_map(|it| edges_of(self.triangles[*it as usize]));
                 let inner: Vec<[u32; 2]> = inner.filter(|ends| ends.contains(&vertex)).collect();
                 let has = |ends: [u32; 2]| inner.contains(&ends);
                 let shared = inner.iter().filter(|[from, to]| has([*to, *from])).count() / 2;
@@ -237,7 +229,7 @@ impl<'a> Overlap<'a> {
 
 fn beside(triangles: &[[u32; 3]]) -> Vec<[Option<u32>; 3]> {
     let mut edges: Vec<([u32; 2], u32)> =
-        edges_of(triangles).enumerate().map(|(at, ends)| (ends, at as u32 / 3)).collect();
+        (0..).zip(triangles).flat_map(|(at, t)| edges_of(*t).map(|ends| (ends, at))).collect();
     edges.sort_unstable();
     let across = |[from, to]: [u32; 2]| {
         let at = edges.binary_search_by_key(&[to, from], |edge| edge.0).ok()?;
