@@ -7,11 +7,10 @@ use crate::report::{Provenance, Report};
 use crate::{Method, NoTriangulation, measure, regions, verdict};
 use glam::DVec2;
 use mindeg::exact::{self, ExactMesh, TradeOff};
-use mindeg::{Domain, Goal, MeshError, Progress, Rings, Step};
+use mindeg::{Domain, Goal, MeshError, Progress, Rings};
 use mindeg_answers::advice::{Advice, AdvisedMesh, FEWEST, KEPT, Purpose, advised_interior};
 use mindeg_answers::trade_off::TradeOffAnswer;
 use mindeg_mesh::planar::PlanarBoundary;
-use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 /// The largest number of boundary vertices that can be compared: unlike mindeg's own meshes,
@@ -321,13 +320,7 @@ fn exact_trade_off(domain: &Domain, options: &CompareOptions) -> Option<TradeOff
         return None;
     }
     let start = Instant::now();
-    let in_time = |_: Step<'_>| {
-        if start.elapsed() < options.time_limit {
-            ControlFlow::Continue(())
-        } else {
-            ControlFlow::Break(())
-        }
-    };
+    let in_time = Progress::while_it(|| start.elapsed() < options.time_limit);
     // A trade-off found by windows is not exact.
     exact::trade_off(domain, Progress::new(&in_time)).ok().filter(TradeOff::is_exact)
 }

@@ -6,12 +6,11 @@ use crate::{Method, NoTriangulation};
 use glam::DVec2;
 use mindeg::interior::{self, InteriorError, InteriorMesh, degree_limit};
 use mindeg::quality::TriangleQuality;
-use mindeg::{Domain, Interior, Progress, Step};
+use mindeg::{Domain, Interior, Progress};
 use mindeg_delaunay::refined;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
-use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 /// A mesh with interior points in figures; what it does not have is null.
@@ -57,10 +56,7 @@ pub(crate) type Inside = Result<(InteriorMesh, f64), InteriorError>;
 /// Puts points inside a domain.
 pub(crate) fn inside(domain: &Domain, wanted: &Interior, time_limit: Duration) -> Inside {
     let start = Instant::now();
-    let in_time = |_: Step<'_>| {
-        let is_in_time = start.elapsed() < time_limit;
-        if is_in_time { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
-    };
+    let in_time = Progress::while_it(|| start.elapsed() < time_limit);
     let found = interior::mesh(domain, wanted, Progress::new(&in_time))?;
     Ok((found, start.elapsed().as_secs_f64()))
 }

@@ -150,14 +150,12 @@ impl Request {
         if let Some(name) = self.color.as_ref().filter(|name| !is_measure(name)) {
             return Err(format!("no measure is called {name:?}"));
         }
-        if let (Some(name), None) = (&self.format, self.format()) {
-            return Err(format!("no format {name:?} is written here"));
-        }
+        self.format.as_deref().map(format_named).transpose()?;
         Ok(self)
     }
 
     /// The format that is named.
     pub(crate) fn format(&self) -> Option<Format> {
-        format_named(self.format.as_deref()?)
+        format_named(self.format.as_deref()?).ok()
     }
 }

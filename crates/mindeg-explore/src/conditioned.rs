@@ -1,7 +1,7 @@
 //! The boundary of the page, divided, or changed by as little as it takes for a mesh with points inside to reach an angle.
 
 use mindeg::interior::{BoundaryDemands, condition};
-use mindeg::{Domain, Intervals};
+use mindeg::{Domain, Intervals, Progress};
 use mindeg_answers::command::domain_stem;
 use mindeg_answers::condition::ConditionAnswer;
 use serde::{Deserialize, Serialize};
@@ -38,12 +38,13 @@ pub(crate) struct ConditionedShown {
 ///
 /// Why there is none, in a sentence.
 pub(crate) fn conditioned(
-    asked: Asked,
+    asked: &Asked,
     body: &[u8],
     known: &KnownFiles,
+    _: Progress<'_>,
 ) -> Result<ConditionedShown, String> {
     let (request, domain) = understood(body).map_err(|(message, _)| message)?;
-    let Asked { angle, size, within } = asked;
+    let Asked { angle, size, within } = *asked;
     let base = size.map_or_else(BoundaryDemands::default, BoundaryDemands::of_size);
     let demands = BoundaryDemands { angle, within: within.unwrap_or(base.within), ..base };
     let (changed, found) = condition(&domain, &demands, &[]).map_err(|error| error.to_string())?;
@@ -92,7 +93,8 @@ mod tests {
     #[test]
     fn a_boundary_is_changed_and_the_command_does_the_same() {
         let asked = Asked { angle: 25.0, size: None, within: None };
-        let found = conditioned(asked, STRAIT.as_bytes(), &KnownFiles::default()).unwrap();
+        let found =
+            conditioned(&asked, STRAIT.as_bytes(), &KnownFiles::default(), Progress::NONE).unwrap();
         let domain = mindeg::Domain::from_json(found.domain.get()).unwrap();
         assert!(domain.rings().vertex_count() > 4, "{}", found.words);
         assert!(found.words.starts_with("strait: 4 boundary points become "), "{}", found.words);
@@ -101,7 +103,8 @@ mod tests {
         assert!(found.command.starts_with(line), "{}", found.command);
         // Edges of a length are divided by it.
         let asked = Asked { size: Some(0.1), within: Some(0.02), ..asked };
-        let found = conditioned(asked, STRAIT.as_bytes(), &KnownFiles::default()).unwrap();
+        let found =
+            conditioned(&asked, STRAIT.as_bytes(), &KnownFiles::default(), Progress::NONE).unwrap();
         let finer = mindeg::Domain::from_json(found.domain.get()).unwrap();
         assert!(
             found.command.contains(" --limit 25 --size 0.1 --within 0.02 -o "),
@@ -130,7 +133,9 @@ mod tests {
     #[test]
     fn what_cannot_be_is_refused_in_words() {
         let asked = Asked { angle: 60.0, size: None, within: None };
-        let refused = conditioned(asked, STRAIT.as_bytes(), &KnownFiles::default()).unwrap_err();
+        let refused =
+            conditioned(&asked, STRAIT.as_bytes(), &KnownFiles::default(), Progress::NONE)
+                .unwrap_err();
         assert!(refused.contains("above 0 and at most 40"), "{refused}");
     }
 }

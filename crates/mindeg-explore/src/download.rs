@@ -29,8 +29,7 @@ pub(crate) fn download(
     file: usize,
     progress: Progress<'_>,
 ) -> Result<Download, String> {
-    let format =
-        format_named(format).ok_or_else(|| format!("no format {format:?} is written here"))?;
+    let format = format_named(format)?;
     let (request, domain) = understood(body).map_err(|(message, _)| message)?;
     let view = view.unwrap_or(request.view);
     let stem = file_stem(&domain, view, request.goal);

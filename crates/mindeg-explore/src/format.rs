@@ -10,6 +10,11 @@ pub(crate) fn formats() -> impl Iterator<Item = Format> {
 }
 
 /// A format by its name.
-pub(crate) fn format_named(name: &str) -> Option<Format> {
-    formats().find(|format| format.name() == name)
+///
+/// # Errors
+///
+/// A format that is not written, in a sentence.
+pub(crate) fn format_named(name: &str) -> Result<Format, String> {
+    let named = formats().find(|format| format.name() == name);
+    named.ok_or_else(|| format!("no format {name:?} is written here"))
 }

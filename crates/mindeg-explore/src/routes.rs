@@ -1,6 +1,5 @@
 //! The routes: each address and its answer.
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use axum::body::{Body, Bytes};
@@ -9,11 +8,12 @@ use axum::http::StatusCode;
 use axum::http::header::{self, HeaderName, HeaderValue};
 use axum::middleware::{Next, from_fn_with_state};
 use axum::response::{IntoResponse, Response};
-use axum::routing::{get, post};
+use axum::routing::{MethodRouter, get, post};
 use axum::{Extension, Router};
 use mindeg_files::{Input, Session};
-use mindeg_mesh::{Progress, Step};
-use serde::Deserialize;
+use mindeg_mesh::Progress;
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
 use tokio::sync::mpsc;
 
 use crate::all::{All, FAULT, answered, failed, worked};
@@ -21,7 +21,7 @@ use crate::answer::{self, answer};
 use crate::api::{AnswerLine, View};
 use crate::body::{Lines, MAX_BYTES};
 use crate::command::KnownFiles;
-use crate::conditioned;
+use crate::conditioned::{conditioned, divided_json};
 use crate::download::{Download, download};
 use crate::facts::facts;
 use crate::files::{self, File};
@@ -40,7 +40,7 @@ const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; \
                       base-uri 'none'; form-action 'none'";
 
 pub(crate) fn router(all: Arc<All>) -> Router {
-    let purpose = all.purpose;
+    let purpose = all.setup.purpose;
     Router::new()
         .route("/", get(async || page(files::INDEX)))
         .route("/page/{name}", get(page_file))
@@ -52,13 +52,16 @@ pub(crate) fn router(all: Arc<All>) -> Router {
         .route("/api/facts", get(async move || json(&facts(MAX_BYTES, purpose))))
         .route("/api/answer", post(answers))
         .route("/api/read", post(reading))
-        .route("/api/condition", post(conditions))
-        .route("/api/divide", post(divides))
-        .route("/api/solid", post(solids))
-        .route("/api/solid/file", post(solid_files))
-        .route("/api/whole", post(wholes))
-        .route("/api/whole/file", post(whole_files))
-        .route("/api/download", post(downloads))
+        .route("/api/condition", worked_on(conditioned, told))
+        .route(
+            "/api/divide",
+            worked_on(|of: &Length, body, _, _| divided_json(of.size, body), told),
+        )
+        .route("/api/solid", worked_on(solid::shown, told))
+        .route("/api/solid/file", worked_on(|of, body, _, on| solid::file(of, body, on), attached))
+        .route("/api/whole", worked_on(|of, body, _, on| whole::shown(of, body, on), told))
+        .route("/api/whole/file", worked_on(|of, body, _, on| whole::file(of, body, on), attached))
+        .route("/api/download", worked_on(saved, attached))
         .route("/api/state/{id}", get(state).put(keep_state))
         .fallback(async || refused(StatusCode::NOT_FOUND, "there is nothing at this address"))
         .method_not_allowed_fallback(async || {
@@ -110,12 +113,12 @@ async fn page_file(Path(name): Path<String>) -> Result<Response, Refusal> {
 }
 
 async fn start(State(all): State<Arc<All>>) -> Response {
-    json(&all.start.clone().or_else(|| presets().into_iter().next()))
+    json(&all.setup.start.clone().or_else(|| presets().into_iter().next()))
 }
 
 /// The domains to choose from at the start.
 async fn start_choices(State(all): State<Arc<All>>) -> Response {
-    json(&all.choices)
+    json(&all.setup.choices)
 }
 
 /// The same, read anew for edges of a length.
@@ -123,7 +126,7 @@ async fn start_divided(
     State(all): State<Arc<All>>,
     Asked(Length { size }): Asked<Length>,
 ) -> Result<Response, Refusal> {
-    let Some(divide) = all.divide.clone() else {
+    let Some(divide) = all.setup.divide.clone() else {
         return Err(refused(StatusCode::NOT_FOUND, "the page was started without a domain"));
     };
     Ok(json(&worked(&all, move |_| divide.by(size)).await?))
@@ -131,7 +134,8 @@ async fn start_divided(
 
 /// The file of the surface to start with.
 async fn start_file(State(all): State<Arc<All>>) -> Response {
-    ([(header::CONTENT_TYPE, "application/octet-stream")], all.surface.clone()).into_response()
+    ([(header::CONTENT_TYPE, "application/octet-stream")], all.setup.surface.clone())
+        .into_response()
 }
 
 #[derive(Deserialize)]
@@ -160,13 +164,10 @@ async fn answers(
         let last = lines.clone();
         let answered = tokio::task::spawn_blocking(move || {
             let stops = || work.is_over() || lines.is_closed() || work.is_late();
-            let callback = |_: Step<'_>| match stops() {
-                true => ControlFlow::Break(()),
-                false => ControlFlow::Continue(()),
-            };
+            let callback = Progress::while_it(|| !stops());
             let progress = Progress::new(&callback);
             let mut out = |line: &AnswerLine| send(&lines, line);
-            let done = turn.work(|| answer(&bytes, &all.known, progress, &mut out));
+            let done = turn.work(|| answer(&bytes, &all.setup.known, progress, &mut out));
             if done.is_err() && work.is_late() {
                 send(&lines, &answer::late(TIME_LIMIT));
             }
@@ -226,93 +227,45 @@ struct Wanted {
     view: Option<View>,
 }
 
-/// A file of a mesh.
-async fn downloads(
-    State(all): State<Arc<All>>,
-    Asked(Wanted { format, file, view }): Asked<Wanted>,
-    Sent(bytes): Sent,
-) -> Result<Response, Refusal> {
-    let work = move |bytes: &[u8], _: &KnownFiles, progress: Progress<'_>| {
-        download(bytes, view, &format, file, progress)
-    };
-    Ok(attached(answered(all, bytes, work).await?))
-}
-
 /// The length of edges.
 #[derive(Deserialize)]
 struct Length {
     size: f64,
 }
 
-/// A divided boundary.
-async fn divides(
-    State(all): State<Arc<All>>,
-    Asked(Length { size }): Asked<Length>,
-    Sent(bytes): Sent,
-) -> Result<Response, Refusal> {
-    let work =
-        move |bytes: &[u8], _: &KnownFiles, _: Progress<'_>| conditioned::divided_json(size, bytes);
-    Ok(json(&answered(all, bytes, work).await?))
+/// A route whose query and body are worked on, and whose answer `respond` makes of the result.
+fn worked_on<Q, T>(
+    work: impl Fn(&Q, &[u8], &KnownFiles, Progress<'_>) -> Result<T, String>
+    + Copy
+    + Send
+    + Sync
+    + 'static,
+    respond: fn(T) -> Response,
+) -> MethodRouter<Arc<All>>
+where
+    Q: DeserializeOwned + Send + 'static,
+    T: Send + 'static,
+{
+    post(async move |State(all): State<Arc<All>>, Asked(asked): Asked<Q>, Sent(bytes): Sent| {
+        let work = move |bytes: &[u8], known: &KnownFiles, progress: Progress<'_>| {
+            work(&asked, bytes, known, progress)
+        };
+        answered(all, bytes, work).await.map(respond)
+    })
 }
 
-/// A changed boundary.
-async fn conditions(
-    State(all): State<Arc<All>>,
-    Asked(wanted): Asked<conditioned::Asked>,
-    Sent(bytes): Sent,
-) -> Result<Response, Refusal> {
-    let work = move |bytes: &[u8], known: &KnownFiles, _: Progress<'_>| {
-        conditioned::conditioned(wanted, bytes, known)
-    };
-    Ok(json(&answered(all, bytes, work).await?))
+/// A file of a mesh.
+fn saved(
+    Wanted { format, file, view }: &Wanted,
+    body: &[u8],
+    _: &KnownFiles,
+    progress: Progress<'_>,
+) -> Result<Download, String> {
+    download(body, *view, format, *file, progress)
 }
 
-/// A surface in space.
-async fn solids(
-    State(all): State<Arc<All>>,
-    Asked(wanted): Asked<solid::Asked>,
-    Sent(bytes): Sent,
-) -> Result<Response, Refusal> {
-    let work = move |bytes: &[u8], known: &KnownFiles, progress: Progress<'_>| {
-        solid::shown(&wanted, bytes, known, progress)
-    };
-    Ok(json(&answered(all, bytes, work).await?))
-}
-
-/// A file of a surface in space.
-async fn solid_files(
-    State(all): State<Arc<All>>,
-    Asked(wanted): Asked<solid::Asked>,
-    Sent(bytes): Sent,
-) -> Result<Response, Refusal> {
-    let work = move |bytes: &[u8], _: &KnownFiles, progress: Progress<'_>| {
-        solid::file(&wanted, bytes, progress)
-    };
-    Ok(attached(answered(all, bytes, work).await?))
-}
-
-/// The mesh of a whole map.
-async fn wholes(
-    State(all): State<Arc<All>>,
-    Asked(wanted): Asked<whole::Asked>,
-    Sent(bytes): Sent,
-) -> Result<Response, Refusal> {
-    let work = move |bytes: &[u8], _: &KnownFiles, progress: Progress<'_>| {
-        whole::shown(&wanted, bytes, progress)
-    };
-    Ok(json(&answered(all, bytes, work).await?))
-}
-
-/// A file of the mesh of a whole map.
-async fn whole_files(
-    State(all): State<Arc<All>>,
-    Asked(wanted): Asked<whole::Asked>,
-    Sent(bytes): Sent,
-) -> Result<Response, Refusal> {
-    let work = move |bytes: &[u8], _: &KnownFiles, progress: Progress<'_>| {
-        whole::file(&wanted, bytes, progress)
-    };
-    Ok(attached(answered(all, bytes, work).await?))
+fn told(answer: impl Serialize) -> Response {
+    json(&answer)
 }
 
 /// A file to save.

@@ -237,8 +237,7 @@ pub(crate) fn file(
     bytes: &[u8],
     progress: Progress<'_>,
 ) -> Result<Download, String> {
-    let format = format_named(&asked.format)
-        .ok_or_else(|| format!("no format {:?} is written here", asked.format))?;
+    let format = format_named(&asked.format)?;
     let Changed { mesh, .. } = changed(asked, bytes, progress)?;
     written(&mesh, format, &asked.stem(), 0)
 }

@@ -158,8 +158,7 @@ pub(crate) fn shown(
 pub(crate) fn file(asked: &Asked, body: &[u8], progress: Progress<'_>) -> Result<Download, String> {
     let map = Map::of(body)?;
     let purpose: Purpose = asked.purpose.as_deref().unwrap_or_default().parse()?;
-    let format = format_named(&asked.format)
-        .ok_or_else(|| format!("no format {:?} is written here", asked.format))?;
+    let format = format_named(&asked.format)?;
     let which = match purpose {
         Purpose::Solver => POINTS_INSIDE,
         Purpose::Fewest => FEWEST_EDGES,

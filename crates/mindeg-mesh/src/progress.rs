@@ -53,6 +53,13 @@ impl<'a> Progress<'a> {
         Self { callback: Some(callback) }
     }
 
+    /// A callback that cancels the work once `goes_on` does not hold.
+    pub fn while_it(
+        goes_on: impl Fn() -> bool + Sync,
+    ) -> impl Fn(Step<'_>) -> ControlFlow<()> + Sync {
+        move |_| if goes_on() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    }
+
     /// Reports that `done` of `total` is done in a stage.
     ///
     /// # Errors

@@ -11,9 +11,8 @@ mod fan;
 use crate::regions;
 use mindeg::Domain;
 use mindeg_delaunay::DelaunayError;
+use mindeg_mesh::Progress;
 use mindeg_mesh::planar::{Border, PlanarBoundary};
-use mindeg_mesh::{Progress, Step};
-use std::ops::ControlFlow;
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -262,10 +261,7 @@ fn delaunay(
     boundary: &PlanarBoundary,
     deadline: Deadline,
 ) -> Result<Vec<[u32; 3]>, NoTriangulation> {
-    let in_time = |_: Step<'_>| match deadline.at {
-        Some(at) if Instant::now() >= at => ControlFlow::Break(()),
-        _ => ControlFlow::Continue(()),
-    };
+    let in_time = Progress::while_it(|| deadline.at.is_none_or(|at| Instant::now() < at));
     let triangles = mindeg_delaunay::triangles(
         boundary,
         boundary.inner_points(),
