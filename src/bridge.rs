@@ -48,8 +48,7 @@ impl<'a> Side<'a> {
 }
 
 pub(crate) fn run(arguments: &BridgeArguments) -> Result<(), Failure> {
-    let surface = &arguments.surface;
-    let mut making = Making::new(surface, &surface.output, arguments.quiet, arguments.json)?;
+    let mut making = Making::new(&arguments.surface, arguments.quiet, arguments.json)?;
     let first = Side::read(&arguments.file, &mut making)?;
     let second = match &arguments.other {
         Some(path) => Some(Side::read(path, &mut making)?),

@@ -8,8 +8,7 @@ use mindeg_files::with_boundary_lines;
 use mindeg_mesh::Triangles;
 
 pub(crate) fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
-    let surface = &arguments.surface;
-    let mut making = Making::new(surface, &surface.output, arguments.quiet, arguments.json)?;
+    let mut making = Making::new(&arguments.surface, arguments.quiet, arguments.json)?;
     let mesh = making.read(&arguments.file)?;
     making.tell_dropped([&mesh]);
     making.check(&mesh, mesh.triangle_count())?;

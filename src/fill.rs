@@ -11,8 +11,7 @@ use mindeg_answers::loops::{FillAnswer, OpenLoop};
 use mindeg_mesh::Triangles;
 
 pub(crate) fn run(arguments: &FillArguments) -> Result<(), Failure> {
-    let surface = &arguments.surface;
-    let mut making = Making::new(surface, &surface.output, arguments.quiet, arguments.json)?;
+    let mut making = Making::new(&arguments.surface, arguments.quiet, arguments.json)?;
     let file = &arguments.file;
     let mesh = making.read(file)?;
     let loops = Loops::of(&mesh);

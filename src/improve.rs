@@ -28,8 +28,7 @@ struct Summary {
 }
 
 pub(crate) fn run(arguments: &ImproveArguments) -> Result<(), Failure> {
-    let surface = &arguments.surface;
-    let mut making = Making::new(surface, &surface.output, arguments.quiet, arguments.json)?;
+    let mut making = Making::new(&arguments.surface, arguments.quiet, arguments.json)?;
     let mesh = making.read(&arguments.file)?;
     making.tell_dropped([&mesh]);
     let file = arguments.file.display().to_string();

@@ -31,10 +31,19 @@ pub(crate) struct Making {
 }
 
 impl Making {
-    /// Understands the outputs; from here on an interrupt leaves nothing behind.
+    /// To the outputs that are asked for.
     pub(crate) fn new(
         surface: &SurfaceArguments,
+        quiet: bool,
+        json: bool,
+    ) -> Result<Self, Failure> {
+        Self::to(&surface.output, surface, quiet, json)
+    }
+
+    /// Understands the outputs; from here on an interrupt leaves nothing behind.
+    pub(crate) fn to(
         output: &[PathBuf],
+        surface: &SurfaceArguments,
         quiet: bool,
         json: bool,
     ) -> Result<Self, Failure> {

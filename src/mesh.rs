@@ -106,7 +106,7 @@ fn opened(arguments: &MeshArguments) -> Result<Subject, Failure> {
 
 /// Meshes one domain into files.
 fn mesh_of(domain: &Domain, arguments: &MeshArguments, output: &[PathBuf]) -> Result<(), Failure> {
-    let mut making = Making::new(&arguments.surface, output, arguments.quiet, arguments.json)?;
+    let mut making = Making::to(output, &arguments.surface, arguments.quiet, arguments.json)?;
     making.unproject(domain.projection());
     if let Some(wanted) = interior::wanted(arguments, domain)? {
         return interior::run(arguments, domain, &wanted, making);

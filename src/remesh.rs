@@ -9,8 +9,7 @@ use mindeg_answers::demands::Demands;
 use mindeg_answers::remesh::RemeshAnswer;
 
 pub(crate) fn run(arguments: &RemeshArguments) -> Result<(), Failure> {
-    let surface = &arguments.surface;
-    let mut making = Making::new(surface, &surface.output, arguments.quiet, arguments.json)?;
+    let mut making = Making::new(&arguments.surface, arguments.quiet, arguments.json)?;
     let part = making.read(&arguments.file)?;
     let file = arguments.file.display().to_string();
     making.open()?;

@@ -16,8 +16,7 @@ use mindeg_files::{Wanted, look_like_degrees};
 const HALF_ROUND: f64 = 180.0;
 
 pub(crate) fn run(arguments: &StitchArguments) -> Result<(), Failure> {
-    let surface = &arguments.surface;
-    let mut making = Making::new(surface, &surface.output, arguments.quiet, arguments.json)?;
+    let mut making = Making::new(&arguments.surface, arguments.quiet, arguments.json)?;
     let bar = Bar::new(true);
     let area = arguments
         .area

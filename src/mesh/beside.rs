@@ -15,8 +15,7 @@ use mindeg_answers::mesh::{MeshBesideAnswer, mesh_beside};
 /// Meshes all parts into the same files.
 pub(super) fn run(parts: &Parts, arguments: &MeshArguments) -> Result<(), Failure> {
     refuse_options(arguments)?;
-    let surface = &arguments.surface;
-    let mut making = Making::new(surface, &surface.output, arguments.quiet, arguments.json)?;
+    let mut making = Making::new(&arguments.surface, arguments.quiet, arguments.json)?;
     let goal = arguments.goal.goal();
     making.open()?;
     let (mut found, angles) = making.work(|progress| {

@@ -263,8 +263,7 @@ pub(super) fn run(
 /// Meshes the polygons of a file as the regions of one mesh.
 pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Result<(), Failure> {
     arguments.refuse_goals_with_interior("--interior")?;
-    let surface = &arguments.surface;
-    let mut making = Making::new(surface, &surface.output, arguments.quiet, arguments.json)?;
+    let mut making = Making::new(&arguments.surface, arguments.quiet, arguments.json)?;
     let old = Parts::of(polygons, SEPARATE)?.domains;
     let wanted = with_sizes(arguments, None)?;
     let Prepared { domains, conditioned, openings } = prepared(arguments, &wanted, &old)?;

@@ -15,8 +15,7 @@ use mindeg_answers::model::ModelAnswer;
 use mindeg_mesh::TriMesh;
 
 pub(super) fn run(model: &Model, arguments: &MeshArguments) -> Result<(), Failure> {
-    let surface = &arguments.surface;
-    let mut making = Making::new(surface, &surface.output, arguments.quiet, arguments.json)?;
+    let mut making = Making::new(&arguments.surface, arguments.quiet, arguments.json)?;
     making.expect_materials(model.groups().iter().any(|group| group.material.is_some()))?;
     if arguments.interior.interior || arguments.goal.purpose == Some(Purpose::Solver) {
         return fill(model, arguments, making);

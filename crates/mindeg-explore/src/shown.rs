@@ -3,7 +3,7 @@
 use mindeg::glam::DVec2;
 use mindeg::interior::{Cause, InteriorMesh};
 use mindeg::quality::{DegreeHistogram, Distribution, METRICS, Metric, TriangleQuality};
-use mindeg::{BoundaryMesh, Domain, Line, Region, TriMesh};
+use mindeg::{BoundaryMesh, Bounds, Domain, Line, Region, TriMesh};
 use mindeg_answers::interior::{angles_and_degrees, local_limits};
 use mindeg_answers::mesh as words;
 use mindeg_answers::numbers::{percent, steady_angle, triangles};
@@ -20,25 +20,10 @@ use crate::terms::without_options;
 /// The most vertices of a wrong degree that are marked.
 const MOST_MARKS: usize = 100;
 
-/// The middle and the extent of a boundary.
-#[derive(Clone, Copy)]
-struct Frame {
-    center: DVec2,
-    size: DVec2,
-}
-
-impl Frame {
-    fn of(domain: &Domain) -> Self {
-        let ends = (DVec2::INFINITY, DVec2::NEG_INFINITY);
-        let points = domain.placement().points();
-        let (low, high) = points.fold(ends, |(low, high), p| (low.min(p), high.max(p)));
-        Self { center: low + (high - low) / 2.0, size: high - low }
-    }
-}
-
 pub(crate) fn domain(domain: &Domain) -> DomainShown {
     let rings = domain.rings();
-    let Frame { center, size } = Frame::of(domain);
+    let bounds = domain.placement().bounds();
+    let center = bounds.center();
     let side = |side| SideShown {
         name: domain.side_name(side),
         ring: rings.ring_of_side(side),
@@ -52,7 +37,7 @@ pub(crate) fn domain(domain: &Domain) -> DomainShown {
         triangles: triangle_count(domain),
         is_convex: domain.convex().is_some(),
         center: center.to_array(),
-        size: size.to_array(),
+        size: bounds.size().to_array(),
         points: f64s(domain.placement().points().map(|point| point - center)),
         rings: rings.rings().map(|ring| ring.start).chain([rings.vertex_count()]).collect(),
         sides: (0..rings.side_count()).map(side).collect(),
@@ -109,7 +94,7 @@ fn regions(domain: &Domain) -> Vec<PlaceShown> {
 
 /// A mesh with its figures.
 pub(crate) struct Figure {
-    frame: Frame,
+    frame: Bounds,
     /// The points beyond the boundary points.
     interior_points: Vec<DVec2>,
     triangles: Vec<[u32; 3]>,
@@ -141,7 +126,7 @@ impl Figure {
     /// A mesh of the boundary points.
     fn of(mesh: &BoundaryMesh) -> Self {
         Self {
-            frame: Frame::of(mesh.domain()),
+            frame: mesh.domain().placement().bounds(),
             interior_points: mesh.domain().inner_points().to_vec(),
             triangles: mesh.triangles().collect(),
             degrees: (0..mesh.vertex_count()).map(|vertex| mesh.total_degree(vertex)).collect(),
@@ -210,7 +195,7 @@ impl Figure {
             TriangleQuality::of(a, b, c)
         };
         Self {
-            frame: Frame::of(domain),
+            frame: domain.placement().bounds(),
             interior_points: points[vertices as usize..].to_vec(),
             triangles: mesh.triangles().to_vec(),
             qualities: mesh.triangles().iter().map(quality).collect(),
@@ -260,11 +245,12 @@ impl Figure {
         let histogram: DegreeHistogram = self.degrees.iter().copied().collect();
         let first_of_max = self.degrees.iter().position(|&degree| degree == max_degree);
         let of_delaunay = |most: f64| (min_angle / most).min(1.0);
+        let center = self.frame.center();
         Shown {
             view,
             is_last,
             words: without_options(&self.words),
-            interior_points: f64s(self.interior_points.iter().map(|&p| p - self.frame.center)),
+            interior_points: f64s(self.interior_points.iter().map(|&p| p - center)),
             triangles: u32s(self.triangles.iter().flatten().copied()),
             degrees: u32s(self.degrees.iter().copied()),
             values: measure.map_or_else(String::new, values),
@@ -283,7 +269,7 @@ impl Figure {
 
     fn bars(&self, metric: &Metric) -> Option<Bars> {
         let values: Vec<f64> = self.qualities.iter().map(metric.of).collect();
-        let axis = axis(metric, self.frame.size);
+        let axis = axis(metric, self.frame.size());
         let mut counts = vec![0; BARS];
         values.iter().for_each(|&value| counts[axis.bar(value)] += 1);
         let Distribution { min, median, mean, max, .. } = Distribution::of(values)?;
@@ -347,9 +333,8 @@ mod tests {
 
     #[test]
     fn the_frame_is_the_middle_and_the_extent() {
-        let frame = Frame::of(&plate("[]").0);
-        assert_eq!(frame.center, DVec2::new(3.0, 3.5));
-        assert_eq!(frame.size, DVec2::new(4.0, 3.0));
+        let shown = super::domain(&plate("[]").0);
+        assert_eq!((shown.center, shown.size), ([3.0, 3.5], [4.0, 3.0]));
     }
 
     /// A ring of lines round a hole, a line that ends inside, and a point.

@@ -101,6 +101,20 @@ impl Mesh {
     }
 }
 
+/// An array for each name of some items, which it is made of.
+fn by_name<'py, T: IntoPyObject<'py>>(
+    py: Python<'py>,
+    names: impl IntoIterator<Item = impl AsRef<str>>,
+    array: impl Fn(Vec<usize>) -> PyResult<T>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let by_name = ByName::new(names);
+    let dict = PyDict::new(py);
+    for (name, of_name) in by_name.names.iter().zip(by_name.items()) {
+        dict.set_item(name, array(of_name)?)?;
+    }
+    Ok(dict)
+}
+
 #[pymethods]
 impl Mesh {
     /// A mesh from arrays: points (n, 2) or (n, 3), triangles (m, 3).
@@ -150,44 +164,34 @@ impl Mesh {
     #[getter]
     fn lines<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let lines = self.mesh.lines();
-        let by_name = ByName::new(lines.iter().map(|line| &line.name));
-        let dict = PyDict::new(py);
-        for (name, of_name) in by_name.names.iter().zip(by_name.items()) {
-            let segments: Vec<_> =
-                of_name.into_iter().flat_map(|line| self.segments(&lines[line])).collect();
-            dict.set_item(name, arrays::rows(py, segments)?)?;
-        }
-        Ok(dict)
+        by_name(py, lines.iter().map(|line| &line.name), |of_name| {
+            let segments = of_name.into_iter().flat_map(|line| self.segments(&lines[line]));
+            arrays::rows(py, segments.collect())
+        })
     }
 
     /// The groups of triangles, such as regions: a read-only (t,) uint32 array of triangles for each name.
     #[getter]
     fn groups<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let groups = self.mesh.groups();
-        let by_name = ByName::new(groups.iter().map(Group::label));
-        let dict = PyDict::new(py);
-        for (name, of_name) in by_name.names.iter().zip(by_name.items()) {
-            if !name.is_empty() {
-                let triangles =
-                    of_name.into_iter().flat_map(|group| groups[group].triangles.clone());
-                let triangles = PyArray1::from_vec(py, triangles.collect());
-                dict.set_item(name, arrays::read_only(triangles))?;
-            }
+        let named = by_name(py, groups.iter().map(Group::label), |of_name| {
+            let triangles = of_name.into_iter().flat_map(|group| groups[group].triangles.clone());
+            Ok(arrays::read_only(PyArray1::from_vec(py, triangles.collect())))
+        })?;
+        if named.contains("")? {
+            named.del_item("")?;
         }
-        Ok(dict)
+        Ok(named)
     }
 
     /// The vertices with names: a read-only (v,) uint32 array of vertices for each name.
     #[getter]
     fn named_points<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let named = self.mesh.named_vertices();
-        let by_name = ByName::new(named.iter().map(|one| &one.name));
-        let dict = PyDict::new(py);
-        for (name, of_name) in by_name.names.iter().zip(by_name.items()) {
+        by_name(py, named.iter().map(|one| &one.name), |of_name| {
             let vertices = of_name.into_iter().map(|one| named[one].vertex).collect();
-            dict.set_item(name, arrays::read_only(PyArray1::from_vec(py, vertices)))?;
-        }
-        Ok(dict)
+            Ok(arrays::read_only(PyArray1::from_vec(py, vertices)))
+        })
     }
 
     /// The periodic sides: for each name a read-only (p, 2) uint32 array of its vertices, each with the one that is moved there.
@@ -195,13 +199,10 @@ impl Mesh {
     fn periodic<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let (lines, periodic) = (self.mesh.lines(), self.mesh.periodic_lines());
         let name = |own: &PeriodicLine| &lines[own.line as usize].name;
-        let by_name = ByName::new(periodic.iter().map(name));
-        let dict = PyDict::new(py);
-        for (name, of_name) in by_name.names.iter().zip(by_name.items()) {
+        by_name(py, periodic.iter().map(name), |of_name| {
             let pairs = of_name.into_iter().flat_map(|own| periodic[own].vertices.iter().copied());
-            dict.set_item(name, arrays::rows(py, pairs.collect())?)?;
-        }
-        Ok(dict)
+            arrays::rows(py, pairs.collect())
+        })
     }
 
     /// The name, if the domain or the file gives one.

@@ -174,11 +174,6 @@ impl Model {
         self.name.as_deref()
     }
 
-    /// The number of corners, including corners that no face uses.
-    pub fn corner_count(&self) -> usize {
-        self.corners.len()
-    }
-
     /// The number of edges of faces.
     pub fn edge_count(&self) -> usize {
         self.edges.len()
@@ -298,11 +293,6 @@ impl Model {
     /// The edges with three faces or more.
     pub fn non_manifold_edges(&self) -> impl Iterator<Item = usize> + '_ {
         (0..self.edges.len()).filter(|&edge| self.faces_at(edge) > 2)
-    }
-
-    /// The maximum distance of a corner from the plane of its face.
-    pub fn planar_tolerance(&self) -> f64 {
-        self.planar_tolerance
     }
 
     /// Notes on the model for the user, one sentence each: open, flipped, not manifold, not quite
