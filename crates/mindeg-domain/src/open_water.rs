@@ -371,13 +371,8 @@ fn told(side: Side, is_hole: bool, [is_open, is_nameless]: [bool; 2]) -> Side {
         None if is_hole => LineKind::Island,
         None => LineKind::Land,
     };
-    let own = match kind {
-        LineKind::Open => "open",
-        LineKind::Land => "land",
-        LineKind::Island => "island",
-    };
     let name = side.name.clone().filter(|_| !is_nameless);
-    Side { name: name.or(Some(own.to_owned())), kind: Some(kind), ..side }
+    Side { name: name.or(Some(kind.name().to_owned())), kind: Some(kind), ..side }
 }
 
 #[cfg(test)]

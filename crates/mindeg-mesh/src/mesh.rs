@@ -232,6 +232,24 @@ pub enum LineKind {
     Island,
 }
 
+impl LineKind {
+    /// The word for it in files.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Open => "open",
+            Self::Land => "land",
+            Self::Island => "island",
+        }
+    }
+
+    /// The kind that a word of a file means.
+    #[must_use]
+    pub fn named(word: &str) -> Option<Self> {
+        [Self::Open, Self::Land, Self::Island].into_iter().find(|kind| kind.name() == word)
+    }
+}
+
 /// The values of a range, from a function that fills a slice.
 ///
 /// # Example

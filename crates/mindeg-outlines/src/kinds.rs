@@ -21,16 +21,6 @@ pub(super) struct MarkedLine {
     pub(super) place: String,
 }
 
-/// The word of a kind in files.
-pub(super) fn kind_of(word: &str) -> Option<LineKind> {
-    Some(match word {
-        "open" => LineKind::Open,
-        "land" => LineKind::Land,
-        "island" => LineKind::Island,
-        _ => return None,
-    })
-}
-
 impl Outlines {
     /// Gives the edges of polygons that lie along lines the names and kinds of these.
     pub(super) fn mark(&mut self, lines: Vec<MarkedLine>) -> Result<(), OutlineError> {
@@ -48,9 +38,8 @@ impl Outlines {
             }
         }
         for MarkedLine { points, name, kind, place } in lines {
-            let word = format!("{kind:?}").to_lowercase();
             let name = name.map(|name| clean(&name)).filter(|name| !name.is_empty());
-            let name: Shared<str> = name.unwrap_or(word).into();
+            let name: Shared<str> = name.unwrap_or_else(|| kind.name().to_owned()).into();
             if self.kinds.0.insert(name.to_string(), kind).is_some_and(|other| other != kind) {
                 let problem = format!("lines of two kinds are called {}", quoted(&name));
                 return Err(OutlineError::place(place, problem));

@@ -10,7 +10,7 @@ use mindeg::{Group, Mesh as AnyMesh, Positions, Projection, TriMesh};
 use mindeg_answers::demands::Demands;
 use mindeg_answers::numbers::{steady_angle, triangles};
 use mindeg_files::{Input, Session, svg};
-use mindeg_mesh::{ByName, PeriodicLine, filled};
+use mindeg_mesh::{ByName, LineKind, PeriodicLine, filled};
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -313,7 +313,7 @@ impl Mesh {
         let named: Vec<_> =
             mesh.named_vertices().iter().map(|one| (one.name.clone(), one.vertex)).collect();
         let kinds: Vec<Option<&str>> =
-            (0..lines.len()).map(|line| mesh.line_kind(line).map(pickled::kind_name)).collect();
+            (0..lines.len()).map(|line| mesh.line_kind(line).map(LineKind::name)).collect();
         let straight: Vec<bool> = lines.iter().map(|line| line.is_straight).collect();
         let depths = filled(0..mesh.vertex_count(), 0.0, |first, out| mesh.fill_depths(first, out));
         let depths = depths.iter().any(|&depth| depth != 0.0).then_some(depths);

@@ -14,17 +14,6 @@ pub(crate) type PickledGroups = Vec<(String, [u32; 2], Option<PickledMaterial>)>
 /// A name, and a base color if it is known.
 pub(crate) type PickledMaterial = (String, Option<[f32; 4]>);
 
-const KINDS: [(LineKind, &str); 3] =
-    [(LineKind::Open, "open"), (LineKind::Land, "land"), (LineKind::Island, "island")];
-
-pub(crate) fn kind_name(kind: LineKind) -> &'static str {
-    KINDS.iter().find(|(one, _)| *one == kind).map_or("", |(_, name)| name)
-}
-
-fn kind_of(name: &str) -> Option<LineKind> {
-    KINDS.iter().find(|(_, one)| *one == name).map(|(kind, _)| *kind)
-}
-
 /// A periodic line, the other one, the matrix and the pairs of vertices.
 pub(crate) type PickledPeriodic = (u32, u32, [[f64; 4]; 4], Vec<[u32; 2]>);
 
@@ -56,7 +45,7 @@ pub(crate) fn mesh(
         all.push(mindeg::Line { name, segments: start..segments.len() as u32, is_straight });
     }
     mesh = mesh.with_lines(all, segments).map_err(value_error)?;
-    let kinds = kinds.iter().map(|kind| kind.as_deref().and_then(kind_of));
+    let kinds = kinds.iter().map(|kind| kind.as_deref().and_then(LineKind::named));
     mesh = mesh.with_line_kinds(kinds.collect());
     let (groups, depths, named, periodic) = of_mesh;
     let periodic = periodic.into_iter();

@@ -101,12 +101,12 @@ fn read_segment(
     let count = head.count("the number of vertices of the segment")?;
     // Open segments may have a type too.
     let code = if is_open { 0 } else { head.integer("the type of the segment")? };
-    let (kind, what) = match (is_open, code) {
-        (true, _) => (LineKind::Open, "open"),
-        (false, 1 | 11 | 21) => (LineKind::Island, "island"),
-        (false, _) => (LineKind::Land, "land"),
+    let kind = match (is_open, code) {
+        (true, _) => LineKind::Open,
+        (false, 1 | 11 | 21) => LineKind::Island,
+        (false, _) => LineKind::Land,
     };
-    let name = name(head).unwrap_or_else(|| format!("{what} boundary {number}"));
+    let name = name(head).unwrap_or_else(|| format!("{} boundary {number}", kind.name()));
     let mut string = Vec::new();
     for _ in 0..count {
         let mut words = records.expect("the last vertex of a boundary segment")?;

@@ -143,10 +143,11 @@ impl Segment {
         number: u32,
         sections: &mut Vec<Section<'a>>,
     ) {
-        let (code, kind) = match self.kind {
-            LineKind::Open => ("", "open"),
-            LineKind::Land => ("0 ", "land"),
-            LineKind::Island => ("1 ", "island"),
+        let kind = self.kind.name();
+        let code = match self.kind {
+            LineKind::Open => "",
+            LineKind::Land => "0 ",
+            LineKind::Island => "1 ",
         };
         sections.push(Section::bytes(format!(
             " {} {code}= nodes of {kind} boundary {number} ({})\n",

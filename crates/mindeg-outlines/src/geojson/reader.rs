@@ -3,10 +3,11 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use glam::DVec2;
+use mindeg_mesh::LineKind;
 use serde_json::{Map, Value};
 
 use crate::error::OutlineError;
-use crate::kinds::{MarkedLine, kind_of};
+use crate::kinds::MarkedLine;
 use crate::outline::{DrawnRing, Feature, Outlines};
 use crate::text::{counted, counted_all, quoted};
 
@@ -120,7 +121,7 @@ impl Reader<'_> {
         path: &Path<'_>,
     ) -> Result<bool, OutlineError> {
         let property = |key: &str| feature.get("properties")?.get(key)?.as_str();
-        let Some(kind) = property("kind").and_then(kind_of) else { return Ok(false) };
+        let Some(kind) = property("kind").and_then(LineKind::named) else { return Ok(false) };
         let Some(geometry) = geometry.as_object() else { return Ok(false) };
         let is_single = match geometry.get("type").and_then(Value::as_str) {
             Some("LineString") => true,

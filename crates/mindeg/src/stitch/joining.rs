@@ -20,9 +20,9 @@ use crate::interior;
 pub const STITCH: &str = "stitch";
 
 /// The name of new boundary edges that nothing names.
-const LAND: &str = "land";
-const ISLAND: &str = "island";
-const OPEN: &str = "open";
+const LAND: &str = LineKind::Land.name();
+const ISLAND: &str = LineKind::Island.name();
+const OPEN: &str = LineKind::Open.name();
 
 /// The edges that a vertex may have where the gap meets a mesh.
 const MOST_EDGES: u32 = 7;
