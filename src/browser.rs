@@ -41,10 +41,7 @@ pub(crate) fn listed(mesh: &dyn Mesh) -> Result<TriMesh, Failure> {
         mesh.fill_triangles(first, out);
     });
     let listed = TriMesh::new(positions, triangles).map_err(Failure::input)?;
-    Ok(match mesh.name() {
-        Some(name) => listed.named(name),
-        None => listed,
-    })
+    Ok(listed.called(mesh.name()))
 }
 
 /// Opens an address or a file in the user's browser; false if no program can do it.

@@ -159,9 +159,6 @@ fn mesh_of(
         let limits = KnownLimits::from(&found);
         (found.mesh, limits)
     };
-    let mesh = match &parts.name {
-        Some(name) => mesh.named(name.as_str()),
-        None => mesh,
-    };
+    let mesh = mesh.called(parts.name.as_deref());
     Ok((mesh, limits))
 }

@@ -28,9 +28,7 @@ pub(super) fn run(parts: &Parts, arguments: &MeshArguments) -> Result<(), Failur
         let angles = angles.collect::<Result<Vec<_>, Failure>>()?;
         Ok::<_, Failure>((found, angles))
     })?;
-    if let Some(name) = &parts.name {
-        found.mesh = found.mesh.named(name.as_str());
-    }
+    found.mesh = found.mesh.called(parts.name.as_deref());
     let answer = MeshBesideAnswer::of(&found, &angles, parts.name.as_deref());
     let demands = arguments.demands(arguments.interior.wanted.target_angle());
     let unmet = demands.unmet_by(&found.mesh, answer.all.min_angle);

@@ -276,11 +276,8 @@ pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Res
     let mut found = meshed.map_err(|(index, error)| refused(&domains[index], &wanted, &error))?;
     let (mesh, depths) = with_depths(found.mesh, depths.as_ref(), arguments, projection.as_ref())?;
     let ocean = Ocean::new(&openings, depths, projection.as_ref());
-    found = InteriorMesh { mesh, ..found };
     let name = polygons.name();
-    if let Some(name) = name {
-        found.mesh = found.mesh.named(name);
-    }
+    found = InteriorMesh { mesh: mesh.called(name), ..found };
     let InteriorMesh { mesh, report, limit, .. } = &found;
     let mut unmet = arguments.demands(wanted.target_angle).unmet_by(mesh, report.min_angle);
     let is_constrained = domains.iter().any(Domain::is_constrained);

@@ -150,10 +150,7 @@ pub fn read(input: impl BufRead) -> Result<TriMesh, ReadError> {
         }
     }
     let mesh = contents.into_mesh("material")?.with_bed_as_depths();
-    Ok(match name {
-        Some(name) if !name.is_empty() => mesh.named(name),
-        _ => mesh,
-    })
+    Ok(mesh.called(name.filter(|name| !name.is_empty())))
 }
 
 /// An element: its number, `count` vertices of which some are corners, and its material.

@@ -127,6 +127,13 @@ impl TriMesh {
         Self { name: Some(name.into()), ..self }
     }
 
+    /// The same mesh with this name, if it is one.
+    #[must_use]
+    pub fn called(self, name: Option<impl Into<String>>) -> Self {
+        let name = name.map(Into::into).or(self.name);
+        Self { name, ..self }
+    }
+
     /// The same mesh in groups, which must contain every triangle once, in order; empty groups are
     /// dropped.
     ///

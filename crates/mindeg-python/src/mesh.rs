@@ -125,8 +125,7 @@ impl Mesh {
         triangles: &Bound<'_, PyAny>,
         name: Option<String>,
     ) -> PyResult<Self> {
-        let mesh = tri_mesh(points, Some(triangles))?;
-        let mesh = if let Some(name) = name { mesh.named(name) } else { mesh };
+        let mesh = tri_mesh(points, Some(triangles))?.called(name);
         Ok(Self::new(mesh, Facts::default()))
     }
 

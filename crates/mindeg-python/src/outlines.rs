@@ -258,10 +258,7 @@ fn mesh_of_polygons(
 ) -> PyResult<(Mesh, Vec<String>)> {
     let (domains, more) = py.detach(|| polygons.maps().map_err(file_error))?;
     let notes = polygons.notes.iter().cloned().chain(more).collect();
-    let named = |mesh: TriMesh| match polygons.name() {
-        Some(name) => mesh.named(name),
-        None => mesh,
-    };
+    let named = |mesh: TriMesh| mesh.called(polygons.name());
     let of_part = |index: usize, error: &dyn ToString| match &domains[..] {
         [_] => error.to_string(),
         _ => format!("{}: {}", part_name(index, &domains[index]), error.to_string()),

@@ -31,9 +31,6 @@ pub(crate) fn mesh(
 ) -> PyResult<TriMesh> {
     let wrong = |what: &str| value_error(format!("{what} of a pickled mesh do not fit it"));
     let [vertices, triangles] = [mesh.positions().len(), mesh.triangles().len()];
-    if let Some(name) = name {
-        mesh = mesh.named(name);
-    }
     let (straight, kinds) = of_lines;
     if [straight.len(), kinds.len()] != [lines.len(); 2] {
         return Err(wrong("lines"));
@@ -44,7 +41,7 @@ pub(crate) fn mesh(
         segments.extend(line);
         all.push(mindeg::Line { name, segments: start..segments.len() as u32, is_straight });
     }
-    mesh = mesh.with_lines(all, segments).map_err(value_error)?;
+    mesh = mesh.called(name).with_lines(all, segments).map_err(value_error)?;
     let kinds = kinds.iter().map(|kind| kind.as_deref().and_then(LineKind::named));
     mesh = mesh.with_line_kinds(kinds.collect());
     let (groups, depths, named, periodic) = of_mesh;

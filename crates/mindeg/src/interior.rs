@@ -144,10 +144,7 @@ fn in_domain(
         true => mesh,
         false => mesh.with_groups(groups),
     };
-    let mesh = match domain.name() {
-        Some(name) => mesh.named(name),
-        None => mesh,
-    };
+    let mesh = mesh.called(domain.name());
     let sizes = found.report.sizes.as_ref();
     let coarse_sides = sizes.map(|sizes| coarse::coarse_sides(domain, &sizes.coarse));
     let coarse_sides = coarse_sides.unwrap_or_default();

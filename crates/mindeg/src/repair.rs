@@ -376,9 +376,6 @@ impl<'a> Faces<'a> {
         let mesh = TriMesh::new(self.positions.to_vec(), triangles)?.with_groups(groups);
         let mesh = mesh.with_lines(of.lines().into_owned(), of.segments().to_vec())?;
         let mesh = mesh.with_named_vertices(of.named_vertices().into_owned())?;
-        Ok(match of.name() {
-            Some(name) => mesh.named(name),
-            None => mesh,
-        })
+        Ok(mesh.called(of.name()))
     }
 }

@@ -118,10 +118,7 @@ pub fn improve(
         .with_groups(new_groups)
         .with_named_vertices(named)?
         .with_lines(mesh.lines().into_owned(), segments.into_iter().map(renew).collect())?;
-    let result = match mesh.name() {
-        Some(name) => result.named(name),
-        None => result,
-    };
+    let result = result.called(mesh.name());
     Ok(ImprovedMesh {
         mesh: result,
         before: found.before,

@@ -184,10 +184,7 @@ fn assembled(
     let mesh = TriMesh::new(positions, all)?.with_groups(groups);
     let (lines, segments) = lines(model);
     let mesh = mesh.with_lines(lines, segments)?;
-    let mesh = match model.name() {
-        Some(name) => mesh.named(name),
-        None => mesh,
-    };
+    let mesh = mesh.called(model.name());
     Ok((mesh, face_starts))
 }
 

@@ -35,10 +35,7 @@ pub(super) fn judged(
     }
     let mesh = mesh.with_groups(groups);
     let (mesh, kept) = lines::carried_over(part, surface, &found.curves, mesh)?;
-    let mesh = match mindeg_mesh::Triangles::name(part) {
-        Some(name) => mesh.named(name),
-        None => mesh,
-    };
+    let mesh = mesh.called(mindeg_mesh::Triangles::name(part));
     let defaults = SurfaceRules::within(0.0);
     let rules = SurfaceRules {
         least_angle: wish.target_angle.unwrap_or(defaults.least_angle),

@@ -71,10 +71,7 @@ impl Cut {
             .with_lines(lines, segments)?
             .with_line_kinds(kinds)
             .with_named_vertices(of.named_vertices().iter().filter_map(named).collect())?;
-        let mesh = match of.name() {
-            Some(name) => mesh.named(name),
-            None => mesh,
-        };
+        let mesh = mesh.called(of.name());
         if !of.has_depths() {
             return Ok(mesh);
         }

@@ -292,10 +292,7 @@ impl Joining {
             .with_lines(of_lines, segments)?
             .with_line_kinds(kinds)
             .with_named_vertices(whole.named_vertices().to_vec())?;
-        let mesh = match whole.name() {
-            Some(name) => mesh.named(name),
-            None => mesh,
-        };
+        let mesh = mesh.called(whole.name());
         let mesh = match whole.has_depths() {
             true => mesh.with_depths(depths_between(depths, &flat, &new.triangles)),
             false => mesh,
