@@ -85,7 +85,10 @@ impl Chains {
                     reason: Reason::Narrow,
                 };
                 let is_told = |place: &&Place| place.meshed.angle < demands.angle;
-                return Ok(small.iter().filter(is_told).map(left).collect());
+                // Two places may have the same point in their middle.
+                let mut told = BTreeSet::new();
+                let is_new = |left: &Left| told.insert(left.at.to_array().map(f64::to_bits));
+                return Ok(small.iter().filter(is_told).map(left).filter(is_new).collect());
             }
             is_changed = false;
             for mut place in small {

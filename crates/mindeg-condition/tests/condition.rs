@@ -198,6 +198,11 @@ fn edges_beside_a_side_that_stays_whole_are_not_divided_for_ever() {
         let found = condition(&boundary, &demands, hold).unwrap();
         assert!((3..=most).contains(&found.rings[1].len()), "{found:?}");
         assert!(found.left.iter().any(|left| left.reason == Reason::Kept), "{found:?}");
+        // A place that a mesh shows is told once.
+        let narrow = found.left.iter().filter(|left| left.reason == Reason::Narrow);
+        let mut places: Vec<_> = narrow.map(|left| left.at.to_array().map(f64::to_bits)).collect();
+        places.sort_unstable();
+        assert!(places.windows(2).all(|both| both[0] != both[1]), "{places:?}");
     }
 }
 

@@ -4,7 +4,7 @@
 //! are those of all points that a fill rule counts as inside; they do not overlap. A hole may touch another
 //! ring of its polygon at vertices.
 
-use mindeg_mesh::number;
+use mindeg_mesh::{coordinate, number};
 use std::collections::BTreeSet;
 
 use glam::DVec2;
@@ -15,7 +15,7 @@ use super::outline::FillRule;
 use super::outline::{DrawnRing, Feature, Outlines, Shape, key};
 use super::overlay::crossings::meeting;
 use super::overlay::{Layer, Overlay, overlay};
-use super::text::{counted, shown};
+use super::text::counted;
 use crate::error::OutlineError;
 
 /// The share of the shorter neighbouring edge by which a vertex moves at most.
@@ -99,10 +99,10 @@ impl Outlines {
                 1 => "1 vertex".to_owned(),
                 count => format!("{count} vertices"),
             };
+            let [x, y] = at.to_array().map(coordinate);
             self.notes.push(format!(
-                "moved {vertices} of touching holes by {} at most, at {}",
-                number(*far),
-                shown(*at)
+                "moved {vertices} of touching holes by {} at most, at ({x}, {y})",
+                number(*far)
             ));
         }
         self
@@ -403,7 +403,7 @@ mod tests {
         assert_eq!(hole[1..], [[1.0, 2.0], [3.0, 2.0]]);
         assert_eq!(hole[0][0], 2.0);
         assert!(hole[0][1] > 0.5 && hole[0][1] < 0.6, "{hole:?}");
-        assert_eq!(notes, ["moved 1 vertex of touching holes by 0.559 at most, at (2.0, 0.0)"]);
+        assert_eq!(notes, ["moved 1 vertex of touching holes by 0.559 at most, at (2, 0)"]);
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use mindeg::Domain;
 use mindeg::glam::DVec2;
-use mindeg_mesh::number;
+use mindeg_mesh::{coordinate, number};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -58,7 +58,7 @@ impl ShortestEdge {
 pub(super) fn place_in_words(degrees: Option<[f64; 2]>, at: [f64; 2]) -> String {
     match (degrees, at) {
         (Some([x, y]), _) => format!("longitude {x}, latitude {y}"),
-        (None, [x, y]) => format!("({x}, {y})"),
+        (None, at) => format!("({}, {})", coordinate(at[0]), coordinate(at[1])),
     }
 }
 
