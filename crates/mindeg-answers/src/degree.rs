@@ -16,7 +16,7 @@ use mindeg_core::{Boundary, Certificate};
 use serde::Serialize;
 
 /// The least maximum degree of all meshes of some boundary points.
-#[derive(Clone, Debug, Default, Serialize)]
+#[derive(Clone, Debug, Serialize)]
 pub struct DegreeReport {
     /// The intervals of each side. Where the formula answers, sides on one line count as one, and each edge of
     /// a curve as a side.
@@ -60,7 +60,7 @@ pub struct DegreeReport {
 }
 
 /// Why no mesh has a smaller maximum degree. Sides count from 1, as in the words; vertices from 0.
-#[derive(Clone, Debug, Default, Serialize)]
+#[derive(Clone, Debug, Serialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub enum DegreeProof {
     /// Edges are counted, and a zig-zag across this cut reaches the bound.
@@ -96,7 +96,6 @@ pub enum DegreeProof {
         bound: u32,
     },
     /// The edges have too many ends.
-    #[default]
     Counting,
     /// No chord of this list lies inside, and each zig-zag has one of them.
     BlockedZigZags {
@@ -196,6 +195,8 @@ impl DegreeReport {
         Ok(Self {
             intervals: rings.sides().map(u64::from).collect(),
             holes: rings.ring_count() - 1,
+            regions: None,
+            joined_vertices: None,
             vertices: rings.vertex_count(),
             triangles,
             // Every triangle has three sides, and boundary edges have one triangle.
@@ -234,7 +235,8 @@ impl DegreeReport {
                 }
                 _ => DegreeProof::Exhaustive,
             },
-            ..Self::default()
+            limit: None,
+            notes: Vec::new(),
         })
     }
 
@@ -269,6 +271,7 @@ impl DegreeReport {
             reached: answer.reached,
             reached_by: "joint",
             words: map_in_words(domain, answer, bound, joined.unwrap_or([vertices, edges])),
+            proof: None,
             certificate: match bound {
                 JointBound::Sum { .. } => DegreeProof::Counting,
                 JointBound::Edges { vertex, edges } => {
@@ -282,7 +285,8 @@ impl DegreeReport {
                 }
                 _ => DegreeProof::Weights,
             },
-            ..Self::default()
+            limit: None,
+            notes: Vec::new(),
         }
     }
 
@@ -293,7 +297,10 @@ impl DegreeReport {
         let bound = certificate.max_degree();
         Self {
             intervals: boundary.sides().map(u64::from).collect(),
+            holes: 0,
+            regions: None,
             vertices: boundary.vertex_count(),
+            joined_vertices: None,
             triangles: mindeg_core::bound::triangle_count(boundary),
             interior_edges: mindeg_core::bound::interior_edge_count(boundary),
             least_max_degree: Some(bound),
@@ -301,6 +308,7 @@ impl DegreeReport {
             reached: bound,
             reached_by: "formula",
             words: certificate_in_words(boundary, &certificate),
+            proof: None,
             certificate: match certificate {
                 Certificate::BalancedCut { cut, .. } => DegreeProof::BalancedCut {
                     first_side: cut.first_side + 1,
@@ -317,7 +325,8 @@ impl DegreeReport {
                     DegreeProof::NoBalancedCut { least_imbalance, bound }
                 }
             },
-            ..Self::default()
+            limit: None,
+            notes: Vec::new(),
         }
     }
 
