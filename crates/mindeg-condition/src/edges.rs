@@ -4,14 +4,14 @@ use crate::chains::Chains;
 use crate::changes::{BoundaryChange, ChangeKind, Left, Reason, Why};
 use crate::demands::BoundaryDemands;
 use crate::error::ConditionError;
-use crate::straits::Arms;
+use crate::tents::Arms;
 use glam::DVec2;
 use std::collections::BTreeMap;
 
 /// Rounds of dividing: each halves what is too long.
 const ROUNDS: usize = 64;
 /// Edges of more wanted lengths than this are divided.
-const LONGEST: f64 = 4.0 / 3.0;
+pub(crate) const LONGEST: f64 = 4.0 / 3.0;
 /// Where lengths shall change gradually, tents in a strait do not even meet if they are so many times as high: that
 /// leaves room for triangles with equal sides across it.
 const ROOM: f64 = 2.0;

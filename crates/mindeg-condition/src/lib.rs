@@ -39,7 +39,7 @@ mod round;
 mod rounds;
 mod stars;
 mod straight;
-mod straits;
+mod tents;
 mod tips;
 
 pub use changes::{

@@ -6,18 +6,17 @@
 use super::step::Step;
 use crate::chains::Chains;
 use crate::demands::GROWTH;
+use crate::edges::LONGEST;
 use glam::DVec2;
 use mindeg_interior::{generate_once, least_angle};
-use mindeg_mesh::Progress;
 use mindeg_mesh::planar::PlanarBoundary;
+use mindeg_mesh::{Progress, edges_of, sorted};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The triangles up to so many edges across from those at the shores belong to the surroundings.
 const REACH: usize = 8;
 /// The most triangles of surroundings, about.
 const MOST_TRIANGLES: usize = 600;
-/// Edges across open water are so many times as long as those at their ends and a growing part of the distance at most.
-const LONGEST: f64 = 4.0 / 3.0;
 
 /// A triangulated domain: the chains as they are.
 pub(super) struct Whole<'a> {
@@ -40,7 +39,7 @@ impl<'a> Whole<'a> {
         triangles: &'a [[u32; 3]],
     ) -> Self {
         let edges = (0..).zip(triangles).flat_map(|(index, corners)| {
-            sides(*corners).into_iter().map(move |edge| (edge, index))
+            edges_of(*corners).into_iter().map(move |edge| (edge, index))
         });
         let lines = boundary.segments().iter().map(|[a, b]| [*a.min(b), *a.max(b)]);
         let vertices = chains.ring_order().concat();
@@ -59,8 +58,8 @@ impl<'a> Whole<'a> {
         a < self.vertices.len() as u32 && self.boundary.next(a) == b
     }
 
-    fn is_line(&self, [a, b]: [u32; 2]) -> bool {
-        self.lines.contains(&[a.min(b), a.max(b)])
+    fn is_line(&self, edge: [u32; 2]) -> bool {
+        self.lines.contains(&sorted(edge))
     }
 
     /// The triangle beyond an edge of another one, unless a line is between them.
@@ -78,7 +77,7 @@ impl<'a> Whole<'a> {
         for _ in 0..REACH {
             let end = own.queue.len();
             for index in start..end {
-                for side in sides(self.triangles[own.queue[index]]) {
+                for side in edges_of(self.triangles[own.queue[index]]) {
                     if own.triangles.len() < MOST_TRIANGLES
                         && let Some(other) = self.beyond(side)
                     {
@@ -90,10 +89,6 @@ impl<'a> Whole<'a> {
         }
         own.rings().map(|rings| own.around(rings))
     }
-}
-
-pub(super) fn sides([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
-    [[a, b], [b, c], [c, a]]
 }
 
 /// Triangles of the whole, in the order in which they were taken.
@@ -124,7 +119,7 @@ impl Cut<'_> {
             let mut next: BTreeMap<u32, u32> = BTreeMap::new();
             let mut touching = Vec::new();
             for &triangle in &self.triangles {
-                for [a, b] in sides(self.whole.triangles[triangle]) {
+                for [a, b] in edges_of(self.whole.triangles[triangle]) {
                     let beyond = self.whole.beyond([a, b]);
                     let is_rim = beyond.is_none_or(|beyond| !self.triangles.contains(&beyond));
                     if is_rim && next.insert(a, b).is_some() {

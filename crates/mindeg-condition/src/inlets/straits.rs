@@ -2,8 +2,9 @@
 //!
 //! A long one, or an inlet with more shore than is searched at once, is looked at in pieces that overlap.
 
-use super::around::{Whole, sides};
+use super::around::Whole;
 use crate::chains::Chains;
+use mindeg_mesh::edges_of;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A piece has the triangles up to so many edges across from its middle.
@@ -39,7 +40,7 @@ pub(super) fn straits(
             && has_one_side(b)
             && at(a).distance(at(b)) <= width * (beside[a as usize] + beside[b as usize]) / 4.0
     };
-    let edges = |triangle: usize| sides(triangles[triangle]);
+    let edges = |triangle: usize| edges_of(triangles[triangle]);
     let mut left: BTreeMap<[u32; 2], usize> = BTreeMap::new();
     for triangle in 0..triangles.len() {
         if edges(triangle).into_iter().all(|edge| is_shore(edge) || is_narrow(edge)) {

@@ -5,8 +5,8 @@ use super::rules::{Narrows, Rules};
 use crate::chains::NONE;
 use crate::error::ConditionError;
 use glam::DVec2;
-use mindeg_mesh::Progress;
 use mindeg_mesh::planar::PlanarBoundary;
+use mindeg_mesh::{Progress, sorted};
 
 /// The corners of the box around all.
 const BOX: u32 = 4;
@@ -146,8 +146,8 @@ fn linked(triangles: &[[u32; 3]], pieces: &Pieces) -> Vec<Triangle> {
     let side = |(index, corners): (u32, &[u32; 3])| {
         let corners = *corners;
         (0..3_u32).map(move |side| {
-            let [a, b] = [corners[side as usize], corners[(side as usize + 1) % 3]];
-            ([a.min(b), a.max(b)], index, side)
+            let edge = [corners[side as usize], corners[(side as usize + 1) % 3]];
+            (sorted(edge), index, side)
         })
     };
     let mut sides: Vec<([u32; 2], u32, u32)> = (0..).zip(triangles).flat_map(side).collect();

@@ -1,4 +1,4 @@
-//! Pairs of edges across a strait: points on them help, unless a corner or an edge that stays is what decides.
+//! Pairs of edges whose tents meet: points on them help, unless a corner or an edge that stays is what decides.
 
 use crate::chains::{Chains, NONE};
 use glam::DVec2;
@@ -26,11 +26,10 @@ impl Chains {
 
     /// The longer edge of each pair whose tents meet.
     pub(crate) fn in_straits(&self, angle: f64, demanded: f64) -> Vec<u32> {
-        let longer = |[a, b]: [u32; 2]| match (self.is_kept_edge(a), self.is_kept_edge(b)) {
-            (false, true) => a,
-            (true, false) => b,
-            _ if self.length(a) >= self.length(b) => a,
-            _ => b,
+        let longer = |[a, b]: [u32; 2]| match self.beside_whole([a, b]) {
+            Some([_, other]) => other,
+            None if self.length(a) >= self.length(b) => a,
+            None => b,
         };
         // Beside a corner that is not blunt tents with room meet at every length of edges, and beside one that is too sharp all do. An
         // edge that stays whole is like such a corner for all that its tent meets.
@@ -43,14 +42,19 @@ impl Chains {
         self.tents(angle).into_iter().filter(is_of_use).map(|tent| longer(tent.1)).collect()
     }
 
+    /// The edge of two that stays whole, and then the other; none if both do, or none.
+    fn beside_whole(&self, [a, b]: [u32; 2]) -> Option<[u32; 2]> {
+        match (self.is_kept_edge(a), self.is_kept_edge(b)) {
+            (true, false) => Some([a, b]),
+            (false, true) => Some([b, a]),
+            _ => None,
+        }
+    }
+
     /// The greatest angle in degrees, at most 90, up to which the tent of an edge that stays whole does not meet another edge, however
     /// short that is; 90 if none of the two stays, or both do.
-    fn least_beside_whole(&self, [a, b]: [u32; 2]) -> f64 {
-        let (whole, other) = match (self.is_kept_edge(a), self.is_kept_edge(b)) {
-            (true, false) => (a, b),
-            (false, true) => (b, a),
-            _ => return 90.0,
-        };
+    fn least_beside_whole(&self, pair: [u32; 2]) -> f64 {
+        let Some([whole, other]) = self.beside_whole(pair) else { return 90.0 };
         let [start, end, from, to] =
             [whole, self.next(whole), other, self.next(other)].map(|vertex| self.at(vertex));
         let base = end - start;
@@ -84,19 +88,19 @@ impl Arms {
         let along =
             |edge: u32| (chains.at(chains.next(edge)) - chains.at(edge)).normalize_or_zero();
         let goes_on = |from: u32, edge: u32| {
-            from != NONE && !chains.is_meeting(edge) && along(from).dot(along(edge)) >= least
+            !chains.is_meeting(edge) && along(from).dot(along(edge)) >= least
         };
-        let begins = |edge: &u32| !goes_on(chains.previous(*edge), *edge);
+        let begins = |edge: &u32| {
+            let previous = chains.previous(*edge);
+            previous == NONE || !goes_on(previous, *edge)
+        };
         // A ring without a corner has an arm that begins anywhere.
         for first in chains.edges().filter(begins).chain(chains.edges()) {
             let mut edge = first;
             while arms.first[edge as usize] == NONE {
                 (arms.first[edge as usize], arms.last[first as usize]) = (first, edge);
                 let next = chains.next(edge);
-                if !chains.is_edge(next)
-                    || chains.is_meeting(next)
-                    || along(first).dot(along(next)) < least
-                {
+                if !chains.is_edge(next) || !goes_on(first, next) {
                     break;
                 }
                 edge = next;
@@ -108,15 +112,15 @@ impl Arms {
     /// The least angle at the vertices between two edges in degrees, if their arms are beside each other.
     pub(crate) fn least_between(&self, chains: &Chains, edges: [u32; 2]) -> Option<f64> {
         let [from, to] = edges.map(|edge| self.first[edge as usize]);
+        if from == to {
+            return Some(180.0);
+        }
         let mut reached: Vec<(u32, f64)> = vec![(from, 180.0)];
         let mut start = 0;
         for _ in 0..BESIDE {
             let end = reached.len();
             for index in start..end {
                 let (arm, least) = reached[index];
-                if arm == to {
-                    return Some(least);
-                }
                 for vertex in [arm, chains.next(self.last[arm as usize])] {
                     let least = least.min(chains.angle(vertex).to_degrees());
                     for other in chains.edges_at(vertex).map(|edge| self.first[edge as usize]) {
