@@ -4,6 +4,7 @@ use crate::array_mesh::{ArrayMesh, Kind, NONE};
 use crate::breaklines::Breaklines;
 use glam::DVec2;
 use mindeg_mesh::planar::PlanarBoundary;
+use mindeg_mesh::sorted;
 
 impl ArrayMesh {
     /// The rings of boundary edges as an outline, the fixed vertices and edges inside, and the index in this mesh of the
@@ -20,7 +21,7 @@ impl ArrayMesh {
         let mut index = vec![NONE; self.vertices.len()];
         (0..).zip(&names).for_each(|(i, v)| index[*v as usize] = i);
         let locked = self.locked_edges().into_iter().map(|edge| edge.map(|v| index[v as usize]));
-        let mut edges: Vec<[u32; 2]> = locked.map(|[a, b]| [a.min(b), a.max(b)]).collect();
+        let mut edges: Vec<[u32; 2]> = locked.map(sorted).collect();
         edges.sort_unstable();
         edges.dedup();
         let points = names[outline.points().len()..].iter().map(|v| self.at(*v)).collect();

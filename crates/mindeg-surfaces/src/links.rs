@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use mindeg_mesh::parallel::sort_all;
-use mindeg_mesh::{DisjointSets, listed, weld};
+use mindeg_mesh::{DisjointSets, listed, sorted, weld};
 
 use crate::NONE;
 use crate::fault::{SurfaceError, SurfaceFault};
@@ -167,12 +167,8 @@ fn neighbours(
         let corners = triangles[half as usize / 3];
         [corners[(half as usize + 1) % 3], corners[(half as usize + 2) % 3]]
     };
-    let mut halves: Vec<([u32; 2], u32)> = (0..3 * triangles.len() as u32)
-        .map(|half| {
-            let [a, b] = ends(half);
-            ([a.min(b), a.max(b)], half)
-        })
-        .collect();
+    let mut halves: Vec<([u32; 2], u32)> =
+        (0..3 * triangles.len() as u32).map(|half| (sorted(ends(half)), half)).collect();
     sort_all(&mut halves);
     let mut neighbours = vec![[NONE; 3]; triangles.len()];
     for same in halves.chunk_by(|a, b| a.0 == b.0) {

@@ -1,11 +1,10 @@
 //! From corners, faces and divisions to a checked model.
 
-use mindeg_mesh::number;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use glam::DVec3;
-use mindeg_mesh::{Bounds, Material};
+use mindeg_mesh::{Bounds, Material, number, sorted};
 
 use super::crossing;
 use super::faults::{self, coincident, face_error};
@@ -252,7 +251,7 @@ fn laws(
     let mut divisions: BTreeMap<usize, (usize, Side)> = BTreeMap::new();
     for (index, edge) in given.iter().enumerate() {
         let [a, b] = edge.corners;
-        let Ok(at) = ends.binary_search(&[a.min(b), a.max(b)]) else {
+        let Ok(at) = ends.binary_search(&sorted([a, b])) else {
             return Err(place(index).error(format!(
                 "edge {index} joins corners {a} and {b}, but no face has such an edge"
             )));

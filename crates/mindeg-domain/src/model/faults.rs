@@ -2,7 +2,7 @@
 
 use super::Model;
 use crate::error::{DomainError, Place};
-use mindeg_mesh::number;
+use mindeg_mesh::{number, sorted};
 
 /// The maximum number of items that a note names.
 const NAMED: usize = 6;
@@ -48,7 +48,7 @@ pub(super) fn check_face_twice(faces: &[Vec<Vec<u32>>]) -> Result<(), DomainErro
 pub(super) fn edges<'a>(loops: impl IntoIterator<Item = &'a Vec<u32>>) -> Vec<[u32; 2]> {
     let of_loop = |corners: &'a Vec<u32>| {
         let next = corners.iter().cycle().skip(1);
-        corners.iter().zip(next).map(|(&a, &b)| [a.min(b), a.max(b)])
+        corners.iter().zip(next).map(|(&a, &b)| sorted([a, b]))
     };
     let mut edges: Vec<_> = loops.into_iter().flat_map(of_loop).collect();
     edges.sort_unstable();

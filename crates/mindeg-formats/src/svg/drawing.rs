@@ -8,7 +8,7 @@ use crate::corners::{degrees, positions, segments, triangles};
 use crate::degree_color;
 use crate::names::xml;
 use glam::{DVec2, DVec3};
-use mindeg_mesh::{Group, Line, Mesh};
+use mindeg_mesh::{Group, Line, Mesh, edges_of, sorted};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::io::{self, Write};
@@ -197,8 +197,8 @@ impl<'a> Drawing<'a> {
         let width = self.edge_width();
         let mut buffer =
             format!("<path class=\"edge\" stroke-width=\"{width:.2}\" d=\"").into_bytes();
-        for &[a, b, c] in &self.triangles {
-            for [from, to] in [[a, b], [b, c], [c, a]] {
+        for triangle in &self.triangles {
+            for [from, to] in edges_of(*triangle) {
                 if from < to && self.boundary.binary_search(&[from, to]).is_err() {
                     buffer.push(b'M');
                     push_point(&mut buffer, self.point(from));
@@ -224,9 +224,7 @@ impl<'a> Drawing<'a> {
             sum / f64::from(count.max(1))
         };
         if self.boundary.is_empty() {
-            return mean(
-                &mut self.triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]),
-            );
+            return mean(&mut self.triangles.iter().copied().flat_map(edges_of));
         }
         mean(&mut self.boundary.iter().copied())
     }
@@ -276,8 +274,7 @@ impl<'a> Drawing<'a> {
             shortest
         };
         let on_boundary = shortest(&mut self.boundary.iter().copied());
-        let of_all =
-            shortest(&mut self.triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]));
+        let of_all = shortest(&mut self.triangles.iter().copied().flat_map(edges_of));
         let choose = |(on_boundary, all): (f64, f64)| {
             if on_boundary.is_finite() { on_boundary } else { all }
         };
@@ -321,11 +318,8 @@ impl<'a> Drawing<'a> {
 /// The edges of one triangle only, as it runs, sorted.
 fn boundary(triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
     // The same edge of two triangles is one after the other once sorted.
-    let mut edges: Vec<([u32; 2], [u32; 2])> = triangles
-        .iter()
-        .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]])
-        .map(|[from, to]| ([from.min(to), from.max(to)], [from, to]))
-        .collect();
+    let mut edges: Vec<([u32; 2], [u32; 2])> =
+        triangles.iter().copied().flat_map(edges_of).map(|edge| (sorted(edge), edge)).collect();
     edges.sort_unstable();
     let single = edges.chunk_by(|a, b| a.0 == b.0).filter(|same| same.len() == 1);
     let mut boundary: Vec<[u32; 2]> = single.map(|same| same[0].1).collect();

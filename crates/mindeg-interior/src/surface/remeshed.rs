@@ -14,7 +14,7 @@ use crate::surface::work::{SurfaceMesh, compacted, work_mesh};
 use crate::triangle::min_angle;
 use crate::verdict::floor as floor_of;
 use glam::DVec3;
-use mindeg_mesh::{Cancelled, Progress};
+use mindeg_mesh::{Cancelled, Progress, edges_of};
 use mindeg_surfaces::{SizeRules, Surface};
 
 /// The wishes for a mesh of a surface.
@@ -276,7 +276,7 @@ fn searched(
 
 fn mean_edge(surface: &Surface) -> f64 {
     let at = |v: u32| surface.points()[v as usize];
-    let edges = surface.triangles().iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let edges = surface.triangles().iter().copied().flat_map(edges_of);
     let sum: f64 = edges.map(|[a, b]| at(a).distance(at(b))).sum();
     sum / (3 * surface.triangles().len()).max(1) as f64
 }

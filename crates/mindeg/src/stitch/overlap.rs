@@ -235,8 +235,7 @@ fn beside(triangles: &[[u32; 3]]) -> Vec<[Option<u32>; 3]> {
         let at = edges.binary_search_by_key(&[to, from], |edge| edge.0).ok()?;
         Some(edges[at].1)
     };
-    let of = |&[a, b, c]: &[u32; 3]| [[a, b], [b, c], [c, a]].map(across);
-    triangles.iter().map(of).collect()
+    triangles.iter().map(|triangle| edges_of(*triangle).map(across)).collect()
 }
 
 /// The angle of a triangle at one of its corners.
