@@ -14,8 +14,8 @@ use crate::terminal::say;
 use mindeg::beside::each;
 use mindeg::exact::{self, TradeOff};
 use mindeg::{Domain, TriMesh};
-use mindeg_answers::advice::{Advice, Purpose};
-use mindeg_answers::numbers::{percent, steady_angle};
+use mindeg_answers::advice::{Advice, AdvisedMesh, Purpose};
+use mindeg_answers::numbers::{counted, percent, steady_angle};
 use mindeg_answers::trade_off::TradeOffAnswer;
 use mindeg_compare::{write_trade_off_html, write_trade_off_json, write_trade_off_svg};
 use mindeg_files::{Outputs, Wanted, write_to};
@@ -133,10 +133,20 @@ fn table(answer: &TradeOffAnswer, limit: u32, told: Option<Purpose>) -> String {
             if advised == Some(row) { "  advised" } else { "" },
         );
     }
-    if let Some(inside) = answer.advice.as_ref().and_then(|advice| advice.solver) {
-        let share = inside.share_of_delaunay.map_or_else(|| "–".to_owned(), percent);
-        let (degree, angle) = (inside.max_degree, steady_angle(inside.min_angle));
-        let _ = writeln!(text, "{degree:>14}  {angle:>14}  {share:>13}  with points inside");
+    if let Some(advice) = &answer.advice {
+        let on_edges = counted(advice.points_on_edges as u64, "point");
+        let rows = [
+            (advice.solver, "with points inside".to_owned()),
+            (advice.conditioned, format!("with {on_edges} on edges, too")),
+        ];
+        for (mesh, words) in rows {
+            let Some(AdvisedMesh { max_degree, min_angle, share_of_delaunay }) = mesh else {
+                continue;
+            };
+            let share = share_of_delaunay.map_or_else(|| "–".to_owned(), percent);
+            let angle = steady_angle(min_angle);
+            let _ = writeln!(text, "{max_degree:>14}  {angle:>14}  {share:>13}  {words}");
+        }
     }
     text.push_str(&left_out(rows.len(), points.len()));
     if let Some(question) = answer.open_question() {

@@ -31,6 +31,16 @@ def test_where_no_points_can_be_inside_the_advice_says_why():
     assert "more than 50 points" in advice["no_solver"]
 
 
+def test_a_boundary_that_leaves_little_room_is_told_with_what_points_on_it_bring():
+    domain = mindeg.Domain(DOMAINS / "boundary-layer-channel.json")
+    advice = domain.advice()
+    conditioned, changes = domain.condition()
+    assert advice["points_on_edges"] == changes["inserted"] > 0
+    mesh = conditioned.mesh(interior=True)
+    assert mesh.min_angle == pytest.approx(advice["conditioned"]["min_angle"])
+    assert mesh.min_angle > 2 * advice["solver"]["min_angle"]
+
+
 @pytest.mark.skipif("MINDEG" not in os.environ, reason="MINDEG names no program")
 @pytest.mark.parametrize("name", sorted(path.stem for path in DOMAINS.glob("*.json")))
 def test_the_advice_is_that_of_the_program(name):
@@ -40,7 +50,8 @@ def test_the_advice_is_that_of_the_program(name):
 
     told = json.loads(asked("--json"))["advice"]
     advice = mindeg.Domain(DOMAINS / f"{name}.json").advice()
-    assert advice["first"] == told["first"]
+    for key in ("first", "conditioned", "points_on_edges"):
+        assert advice[key] == told[key], key
     for purpose in ("solver", "patch", "fewest"):
         figures = {key: advice[purpose][key] for key in told[purpose]}
         assert figures == told[purpose], purpose

@@ -10,7 +10,7 @@ use crate::domain::{Parts, name};
 use crate::failure::Failure;
 use crate::interrupt::SESSION;
 use crate::making::Making;
-use mindeg::interior::{self, BoundaryDemands, Cause, InteriorError, InteriorMesh};
+use mindeg::interior::{self, InteriorError, InteriorMesh};
 use mindeg::{Domain, Interior, Opening, Size};
 use mindeg_answers::advice::Purpose;
 use mindeg_answers::condition::ConditionAnswer;
@@ -21,6 +21,7 @@ use mindeg_answers::interior::{
 use mindeg_answers::limit::{Lifting, LimitAnswer};
 use mindeg_answers::names::{region_count, shown};
 use mindeg_answers::numbers::{counted, triangles};
+use mindeg_answers::on_edges::{is_low, is_tight, with_points_on_edges};
 use mindeg_answers::sizes::{coarse_sides, sizes};
 use mindeg_files::{Input, PolygonFile};
 use mindeg_mesh::{Bounds, Triangles, significant};
@@ -145,10 +146,7 @@ fn draw_changes(
     }
 }
 
-/// Below this limit in degrees the boundary is worth changing: meshes need 20 to 30.
-const POOR_LIMIT: f64 = 20.0;
-/// Below this share of the limits of places, and with fewer edges that stay, these are too long to leave room for good triangles.
-const POOR_SHARE: f64 = 0.9;
+/// With fewer edges that stay, the sides of a poor boundary are too long to leave room for good triangles.
 const FEW_EDGES: usize = 64;
 
 /// The option that makes a poor boundary better: it divides few long sides, or puts points on edges, unless all that is poor is the angle
@@ -156,25 +154,23 @@ const FEW_EDGES: usize = 64;
 fn boundary_hint(
     arguments: &MeshArguments,
     domains: &[Domain],
+    wanted: &Interior,
     found: &InteriorMesh,
 ) -> Option<String> {
     let InteriorMesh { mesh, report, limit, .. } = found;
     let edges: usize = mesh.lines().iter().map(|line| line.segments.len()).sum();
-    let is_poor = report.interior_points > 0 && report.local.worst < POOR_SHARE;
-    if is_poor && edges < FEW_EDGES {
+    let (is_tight, is_low) = (is_tight(report), is_low(limit));
+    if is_tight && edges < FEW_EDGES {
         let size = Bounds::of_space(mesh.positions().iter().copied())?.size().max_element() / 10.0;
         return Some(format!(
             "hint: few long sides leave little room for good triangles; --size {} divides them.",
             significant(size, 1)
         ));
     }
-    let is_sharp =
-        matches!(limit.cause, Cause::Corner { angle, .. } if angle < limit.min_angle * 1.01);
-    let is_low = limit.min_angle < POOR_LIMIT && !is_sharp;
-    if arguments.condition.is_some() || !is_poor && !is_low {
+    if arguments.condition.is_some() || !is_tight && !is_low {
         return None;
     }
-    match points_on_edges(arguments, domains)? {
+    match with_points_on_edges(domains, wanted, &arguments.change.keep)?.1 {
         0 => is_low.then(|| {
             "hint: points on edges lift no limit here; --condition --within LENGTH may move the boundary, too, and tells each \
              change."
@@ -186,13 +182,6 @@ fn boundary_hint(
             counted(points as u64, "point")
         )),
     }
-}
-
-/// How many points `--condition` alone puts on edges.
-fn points_on_edges(arguments: &MeshArguments, domains: &[Domain]) -> Option<usize> {
-    let demands = BoundaryDemands::default();
-    let (new, changed) = interior::condition_all(domains, &demands, &arguments.change.keep).ok()?;
-    Some(ConditionAnswer::of(domains, &new, &changed).inserted)
 }
 
 /// How many vertices are on the boundary: those around holes that touch rings, too, which are lines of the domain.
@@ -252,7 +241,7 @@ pub(super) fn run(
             .chain(summary.ocean.words())
             .chain(domain.notes())
             .chain(more_on_request(&found.report, wanted.target_angle))
-            .chain(boundary_hint(arguments, &domains, &found))
+            .chain(boundary_hint(arguments, &domains, wanted, &found))
             .collect::<Vec<_>>()
             .join("\n")
     };
@@ -315,7 +304,7 @@ pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Res
             .into_iter()
             .chain([text(&title(), &found, &lifting, &summary)])
             .chain(summary.ocean.words())
-            .chain(boundary_hint(arguments, &domains, &found))
+            .chain(boundary_hint(arguments, &domains, &wanted, &found))
             .collect::<Vec<_>>()
             .join("\n")
     };

@@ -195,6 +195,19 @@ mod page {
                 assert!((told - is).abs() < 1e-9, "{file}, {purpose}, {key}: {told} {is}");
             }
         }
+        // A changed boundary is named with what its command makes.
+        let conditioned = &shown["conditioned"];
+        assert_eq!(conditioned, &figures["advice"]["conditioned"], "{file}");
+        if conditioned.is_object() {
+            let made = mindeg(["mesh", file, "--interior", "--condition", "--json", "-o", &out]);
+            let made = made.json();
+            assert_eq!(made["conditioned"]["inserted"], shown["points_on_edges"], "{file}");
+            let [told, is] =
+                [conditioned, &made].map(|it| it["min_angle"].as_f64().expect("an angle"));
+            assert!((told - is).abs() < 1e-9, "{file}: {told} {is}");
+        }
+        let is_channel = file.ends_with("boundary-layer-channel.json");
+        assert!(!is_channel || conditioned.is_object(), "{shown}");
         // The fewest edges are the first row, and the command of that row makes the same mesh.
         let row = &figures["points"][0];
         let limit = row["max_degree"].to_string();
@@ -244,7 +257,7 @@ mod page {
                 let report = mindeg(["compare", &path, "--json"]).json();
                 let page = Page::open(folder.path(), &[]);
                 let shown = advice_on_page(&page, Path::new(&path));
-                for key in ["first", "solver", "patch", "fewest"] {
+                for key in ["first", "solver", "conditioned", "patch", "fewest"] {
                     assert_eq!(report["advice"][key], shown[key], "{key}");
                 }
             });

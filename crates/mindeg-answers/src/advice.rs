@@ -3,14 +3,16 @@
 //!
 //! Limits: the advice compares minimum angles and degrees alone.
 
+pub use crate::advised::{AdvisedMesh, MOST_POINTS, NoPoints, advised_interior};
 pub use crate::purpose::{FEWEST, KEPT, Purpose};
 
 use crate::command::MeshCommand;
-use crate::numbers::{number, percent, steady_angle};
+use crate::numbers::{counted, number, percent, steady_angle};
+use crate::on_edges::{is_poor, mesh_with_points_on_edges};
 use mindeg::beside::mesh_parts;
 use mindeg::exact::{MAX_VERTICES, share_of};
-use mindeg::interior::{self, InteriorError, InteriorMesh, InteriorReport};
-use mindeg::{Domain, Goal, Interior, MeshError, Meshed, Progress, is_by_formula};
+use mindeg::interior::{self, InteriorMesh};
+use mindeg::{Domain, Goal, MeshError, Progress, is_by_formula};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -20,9 +22,6 @@ const HINTED: usize = 2000;
 /// Up to so many vertices of convex domains that are too large for the search, a hint has the figures of the patch: a third of
 /// a second.
 const WINDOWED: usize = 50_000;
-
-/// The most points of a mesh with points inside that is made for an advice, or that the page of `explore` shows.
-pub const MOST_POINTS: usize = 200_000;
 
 /// Points inside that bring less than so many times the angle bring too little.
 const WORTH: f64 = 1.05;
@@ -50,96 +49,27 @@ pub struct Advice {
     pub solver: Option<AdvisedMesh>,
     /// Why there can be no points inside; null if there can.
     pub no_solver: Option<String>,
+    /// With points inside, and on edges as well, which `--condition` puts there; null unless that is known to bring a larger angle.
+    pub conditioned: Option<AdvisedMesh>,
+    /// How many points that mesh has on edges; 0 without it.
+    pub points_on_edges: usize,
     /// Of boundary points alone, with 95% of the largest minimum angle that they allow; null if it was not made.
     pub patch: Option<AdvisedMesh>,
     /// Of the least maximum degree, with the largest angle that is found; null if it was not made.
     pub fewest: Option<AdvisedMesh>,
 }
 
-/// The figures of a mesh to take.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct AdvisedMesh {
-    /// The most edges at a vertex.
-    pub max_degree: u32,
-    /// The minimum angle in degrees.
-    pub min_angle: f64,
-    /// The minimum angle over Delaunay's, the largest of any mesh without points inside; null where that is not known.
-    pub share_of_delaunay: Option<f64>,
-}
-
-impl AdvisedMesh {
-    /// The figures of a mesh of boundary points.
-    #[must_use]
-    pub fn of(meshed: &Meshed) -> Self {
-        let min_angle = meshed.mesh.angle_range().min;
-        Self {
-            max_degree: meshed.mesh.max_total_degree(),
-            min_angle,
-            share_of_delaunay: meshed.delaunay_min_angle.map(|most| share_of(min_angle, most)),
-        }
-    }
-
-    /// The figures of the mesh of all parts of a domain: the highest degree, and the least angle. None of no part.
-    #[must_use]
-    pub fn of_all(parts: &[Meshed]) -> Option<Self> {
-        if let [meshed] = parts {
-            return Some(Self::of(meshed));
-        }
-        let all: Vec<Self> = parts.iter().map(Self::of).collect();
-        let min_angle = all.iter().map(|part| part.min_angle).reduce(f64::min)?;
-        let most = parts.iter().map(|part| part.delaunay_min_angle).collect::<Option<Vec<_>>>();
-        let most = most.and_then(|most| most.into_iter().reduce(f64::min));
-        Some(Self {
-            max_degree: all.iter().map(|part| part.max_degree).max()?,
-            min_angle,
-            share_of_delaunay: most.map(|most| share_of(min_angle, most)),
-        })
-    }
-
-    /// The figures of a mesh with points inside.
-    #[must_use]
-    pub fn of_interior(report: &InteriorReport) -> Self {
-        let inside = report.interior_degree.as_ref().map_or(0, |range| *range.end());
-        Self {
-            max_degree: inside.max(*report.boundary_degree.end()),
-            min_angle: report.min_angle,
-            share_of_delaunay: None,
-        }
-    }
-}
-
-/// Why an advice has no mesh with points inside.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum NoPoints {
-    /// It is too large to be made for an advice, and is the mesh to take all the same.
-    Unmeasured,
-    /// There can be none.
-    Impossible(String),
-}
-
-impl From<&InteriorError> for NoPoints {
-    fn from(error: &InteriorError) -> Self {
-        match error {
-            InteriorError::Cancelled(_) | InteriorError::TooManyPoints { max: MOST_POINTS } => {
-                Self::Unmeasured
-            }
-            error => Self::Impossible(error.to_string()),
-        }
-    }
-}
-
-/// The wishes for points inside a domain, for a mesh that is made for an advice.
-#[must_use]
-pub fn advised_interior(domain: &Domain) -> Interior {
-    let wanted = domain.interior().cloned().unwrap_or_default();
-    let most = wanted.max_points.map_or(MOST_POINTS, |most| most.min(MOST_POINTS));
-    Interior { max_points: Some(most), ..wanted }
-}
-
 impl Advice {
     /// The advice without figures.
-    pub const UNMEASURED: Self =
-        Self { first: Purpose::Solver, solver: None, no_solver: None, patch: None, fewest: None };
+    pub const UNMEASURED: Self = Self {
+        first: Purpose::Solver,
+        solver: None,
+        no_solver: None,
+        conditioned: None,
+        points_on_edges: 0,
+        patch: None,
+        fewest: None,
+    };
 
     /// The advice on a domain, or on the parts of one that share no edge, for which three meshes are made.
     ///
@@ -180,7 +110,12 @@ impl Advice {
             patch.as_deref().and_then(AdvisedMesh::of_all),
             fewest,
         );
-        (advice, solver.ok())
+        match solver {
+            Ok(found) if is_poor(&found) => {
+                (advice.and_points_on_edges(domains, progress), Some(found))
+            }
+            solver => (advice, solver.ok()),
+        }
     }
 
     /// The advice for a hint beside another answer, which must not wait for it: with figures where they take little time, and
@@ -227,7 +162,24 @@ impl Advice {
             Err(NoPoints::Unmeasured) => (None, None),
             Err(NoPoints::Impossible(reason)) => (None, Some(reason)),
         };
-        Self { first, solver, no_solver, patch, fewest: fewest.map(shared) }
+        let fewest = fewest.map(shared);
+        Self { first, solver, no_solver, patch, fewest, ..Self::UNMEASURED }
+    }
+
+    /// The same with the mesh that has points on edges, too, if there is one with a larger angle: for a boundary that
+    /// [`is_poor`]. Time as [`interior::mesh_all`].
+    #[must_use]
+    pub fn and_points_on_edges(self, domains: &[Domain], progress: Progress<'_>) -> Self {
+        let wanted = domains.first().map(advised_interior).unwrap_or_default();
+        let Some(solver) = self.solver else { return self };
+        match mesh_with_points_on_edges(domains, &wanted, progress) {
+            Some((points, found)) if found.report.min_angle >= WORTH * solver.min_angle => Self {
+                conditioned: Some(AdvisedMesh::of_interior(&found.report)),
+                points_on_edges: points,
+                ..self
+            },
+            _ => self,
+        }
     }
 
     /// Whether there can be a mesh for a purpose.
@@ -256,9 +208,26 @@ impl Advice {
         }
     }
 
-    /// The mesh to take for a purpose, with its figures, in a sentence.
+    /// The mesh to take for a purpose, with its figures, in a sentence; in two where points on edges bring more.
     #[must_use]
     pub fn sentence(&self, purpose: Purpose) -> String {
+        match self.on_edges().filter(|_| purpose == Purpose::Solver) {
+            Some(more) => format!("{} {more}", self.as_it_is(purpose)),
+            None => self.as_it_is(purpose),
+        }
+    }
+
+    /// What points on edges bring, in a sentence.
+    fn on_edges(&self) -> Option<String> {
+        Some(format!(
+            "If the boundary may have {} more, condition it: minimum angle {}.",
+            counted(self.points_on_edges as u64, "point"),
+            steady_angle(self.conditioned?.min_angle)
+        ))
+    }
+
+    /// The mesh to take for a purpose where the boundary stays as it is.
+    fn as_it_is(&self, purpose: Purpose) -> String {
         if let (Purpose::Solver, Some(reason)) = (purpose, &self.no_solver) {
             return format!("Points inside cannot be put here: {}.", reason.trim_end_matches('.'));
         }
@@ -305,11 +274,6 @@ impl Advice {
         }
     }
 
-    /// A sentence without its first letter, which stands small after "hint:".
-    fn rest(&self, purpose: Purpose) -> String {
-        self.sentence(purpose).trim_start_matches('F').to_owned()
-    }
-
     /// The advice in sentences, a line each.
     #[must_use]
     pub fn text(&self, told: Option<Purpose>) -> String {
@@ -322,7 +286,13 @@ impl Advice {
     #[must_use]
     pub fn hints(&self, command: &MeshCommand) -> String {
         let hint = |purpose: Purpose| {
-            format!("hint: f{}\n{}", self.rest(purpose), command.advised(purpose))
+            // Small after "hint:".
+            let sentence = self.sentence(purpose);
+            let words = format!("hint: f{}", sentence.trim_start_matches('F'));
+            let on_edges = self.conditioned.filter(|_| purpose == Purpose::Solver);
+            let more = on_edges.map(|_| command.conditioned());
+            let lines = [words, command.advised(purpose)].into_iter().chain(more);
+            lines.collect::<Vec<_>>().join("\n")
         };
         let possible = self.purposes(None).into_iter().filter(|&purpose| self.is_possible(purpose));
         let is_measured = self.patch.is_some() || self.solver.is_some();
@@ -355,6 +325,8 @@ impl AdviceAnswer {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use mindeg::Side;
+    use mindeg::interior::InteriorError;
 
     fn inside(max_degree: u32, min_angle: f64) -> Result<AdvisedMesh, NoPoints> {
         Ok(AdvisedMesh { max_degree, min_angle, share_of_delaunay: None })
@@ -389,6 +361,34 @@ mod tests {
                 .sentence(Purpose::Solver)
                 .starts_with("For a solver, points inside bring little here:")
         );
+    }
+
+    /// What a changed boundary brings is a second sentence, with a second command.
+    #[test]
+    fn points_on_edges_are_named_beside_points_inside() {
+        let domain = Domain::from_rings([[[0.0, 0.0], [10.0, 0.0], [10.0, 0.5], [0.0, 0.5]]]);
+        let own = [domain.unwrap()];
+        let advice = Advice::of(&own, Progress::NONE).unwrap();
+        let (solver, conditioned) = (advice.solver.unwrap(), advice.conditioned.unwrap());
+        assert!(solver.min_angle < 6.0 && conditioned.min_angle > 25.0, "{advice:?}");
+        assert!(advice.points_on_edges > 4);
+        let sentence = advice.sentence(Purpose::Solver);
+        let more = format!(
+            " If the boundary may have {} points more, condition it: minimum angle ",
+            advice.points_on_edges
+        );
+        assert!(sentence.contains(&more), "{sentence}");
+        let hints = advice.hints(&MeshCommand::default());
+        let commands = "\nmindeg mesh DOMAIN.json --interior -o mesh-points-inside.obj\n\
+                        mindeg mesh DOMAIN.json --interior --condition -o mesh-conditioned.obj";
+        assert!(hints.contains(commands), "{hints}");
+        // Nothing is asked of a boundary where triangles are good, or that cannot be better.
+        let square = Domain::rectangle(1.0, 1.0, vec![Side::count(4); 4]).unwrap();
+        let wedge = Domain::from_rings([[[0.0, 0.0], [10.0, 0.0], [10.0, 1.0]]]).unwrap();
+        for domain in [square, wedge] {
+            let advice = Advice::of(&[domain], Progress::NONE).unwrap();
+            assert_eq!((advice.conditioned, advice.points_on_edges), (None, 0));
+        }
     }
 
     /// Where a mesh with points inside is merely too large to be measured, it is the mesh to take.

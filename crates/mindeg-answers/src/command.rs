@@ -100,6 +100,12 @@ impl MeshCommand {
         }
     }
 
+    /// The command that makes the mesh with points inside and on edges.
+    #[must_use]
+    pub fn conditioned(&self) -> String {
+        self.line(&[self.inside, &["--condition"]].concat(), "conditioned")
+    }
+
     /// The command that measures the meshes to choose from.
     #[must_use]
     pub fn measuring(&self) -> String {

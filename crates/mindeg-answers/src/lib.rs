@@ -19,6 +19,7 @@
 //! One language; angles are in degrees.
 
 pub mod advice;
+mod advised;
 pub mod command;
 pub mod condition;
 pub mod degree;
@@ -34,6 +35,7 @@ pub mod model;
 pub mod names;
 pub mod numbers;
 pub mod ocean;
+pub mod on_edges;
 pub mod preset;
 pub mod proof;
 pub mod proven;

@@ -9,6 +9,7 @@ use glam::DVec2;
 use mindeg::exact::{self, ExactMesh, TradeOff};
 use mindeg::{Domain, Goal, MeshError, Progress, Rings};
 use mindeg_answers::advice::{Advice, AdvisedMesh, FEWEST, KEPT, Purpose, advised_interior};
+use mindeg_answers::on_edges::is_poor;
 use mindeg_answers::trade_off::TradeOffAnswer;
 use mindeg_mesh::planar::PlanarBoundary;
 use std::time::{Duration, Instant};
@@ -221,7 +222,7 @@ pub fn compare(domain: &Domain, options: &CompareOptions) -> Result<Comparison, 
     let inside = interior::inside(domain, &wanted, options.time_limit);
     let [patch, fewest] =
         [Goal::KeepAngle(KEPT), FEWEST].map(|goal| mindeg::mesh(domain, goal, Progress::NONE).ok());
-    let advice = Advice::among(
+    let mut advice = Advice::among(
         inside
             .as_ref()
             .map(|(found, _)| AdvisedMesh::of_interior(&found.report))
@@ -229,6 +230,12 @@ pub fn compare(domain: &Domain, options: &CompareOptions) -> Result<Comparison, 
         patch.as_ref().map(AdvisedMesh::of),
         fewest.as_ref().map(AdvisedMesh::of),
     );
+    if inside.as_ref().is_ok_and(|(found, _)| is_poor(found)) {
+        let start = Instant::now();
+        let in_time = Progress::while_it(|| start.elapsed() < options.time_limit);
+        let own = std::slice::from_ref(domain);
+        advice = advice.and_points_on_edges(own, Progress::new(&in_time));
+    }
     // Where the trade-off was not worked out, no method has these meshes.
     let advised = [(patch, Method::Kept), (fewest, Method::Fewest)];
     for (advised, method) in advised.into_iter().filter(|_| trade_off.is_none()) {

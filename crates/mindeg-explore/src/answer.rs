@@ -8,6 +8,7 @@ use mindeg::interior::InteriorMesh;
 use mindeg::{BoundaryMesh, Domain, Goal, is_by_formula};
 use mindeg_answers::advice::{Advice, AdviceAnswer, AdvisedMesh, NoPoints, Purpose};
 use mindeg_answers::degree::DegreeReport;
+use mindeg_answers::on_edges::is_poor;
 use mindeg_answers::trade_off::TradeOffAnswer;
 use mindeg_mesh::{Cancelled, Progress};
 
@@ -61,9 +62,18 @@ pub fn answer(
         }
     };
     out(&AnswerLine::Domain(shown::domain(&domain)));
-    let (made, no_interior) = ([None; 3], None);
-    Answering { request: &request, domain: &domain, known, progress, out, made, no_interior }
-        .all()?;
+    let (made, is_poor, no_interior) = ([None; 3], false, None);
+    Answering {
+        request: &request,
+        domain: &domain,
+        known,
+        progress,
+        out,
+        made,
+        is_poor,
+        no_interior,
+    }
+    .all()?;
     out(&AnswerLine::Done { milliseconds: 1e3 * start.elapsed().as_secs_f64() });
     Ok(())
 }
@@ -105,6 +115,8 @@ struct Answering<'a> {
     out: Out<'a>,
     /// The figures of the meshes for [`Purpose::ALL`] that were made.
     made: [Option<AdvisedMesh>; 3],
+    /// Whether that with points inside shows a poor boundary.
+    is_poor: bool,
     /// Why there is no mesh with points inside.
     no_interior: Option<NoPoints>,
 }
@@ -240,7 +252,12 @@ impl Answering<'_> {
         }
         let [solver, patch, fewest] = self.made;
         let why = self.no_interior.take().unwrap_or(NoPoints::Unmeasured);
-        let advice = Advice::among(solver.ok_or(why), patch, fewest);
+        let mut advice = Advice::among(solver.ok_or(why), patch, fewest);
+        if self.is_poor {
+            let own = std::slice::from_ref(self.domain);
+            advice = advice.and_points_on_edges(own, self.progress);
+            self.unless_cancelled()?;
+        }
         (self.out)(&AnswerLine::Advice(AdviceAnswer::of(advice)));
         Ok(())
     }
@@ -248,7 +265,10 @@ impl Answering<'_> {
     /// Keeps the figures of a mesh for the advice.
     fn note(&mut self, made: &Made) {
         let (purpose, figures) = match made {
-            Made::Interior(found) => (Purpose::Solver, AdvisedMesh::of_interior(&found.report)),
+            Made::Interior(found) => {
+                self.is_poor = is_poor(found);
+                (Purpose::Solver, AdvisedMesh::of_interior(&found.report))
+            }
             Made::Boundary(meshed, goal) => {
                 let purpose = Purpose::ALL.into_iter().find(|it| it.goal() == Some(*goal));
                 let Some(purpose) = purpose else { return };

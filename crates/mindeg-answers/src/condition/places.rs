@@ -47,17 +47,20 @@ impl ShortestEdge {
         let place = place_in_words(self.degrees, self.at);
         (self.length < SHORT * self.median).then(|| {
             format!(
-                "The shortest edge is {length}{unit} long at {place}, half of all {median}{unit} or more: edges below a \
-                 sixteenth of the size go where names, corners and the distance allow it.\n"
+                "The shortest edge is {length}{unit} long at {place}, half of all {median}{unit} or more; a solver's time step \
+                 depends on it.\n"
             )
         })
     }
 }
 
-/// A place as a sentence has it.
+/// A place as a sentence has it: degrees to a tenth of a metre.
 pub(super) fn place_in_words(degrees: Option<[f64; 2]>, at: [f64; 2]) -> String {
     match (degrees, at) {
-        (Some([x, y]), _) => format!("longitude {x}, latitude {y}"),
+        (Some(degrees), _) => {
+            let [x, y] = degrees.map(|it| (it * 1e6).round() / 1e6);
+            format!("longitude {x}, latitude {y}")
+        }
         (None, at) => format!("({}, {})", coordinate(at[0]), coordinate(at[1])),
     }
 }
@@ -92,6 +95,9 @@ mod tests {
                 .starts_with("The shortest edge is 0.01 long at (4, 0.005), half of all 4 or more"),
             "{words}"
         );
+        assert!(words.ends_with("or more; a solver's time step depends on it.\n"), "{words}");
+        let degrees = Some([24.123_456_789, -37.000_000_1]);
+        assert_eq!(place_in_words(degrees, [0.0; 2]), "longitude 24.123457, latitude -37");
         assert_eq!(square(1.0).words(), None);
         assert_eq!(ShortestEdge::of(&[]), None);
     }
