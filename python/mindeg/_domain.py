@@ -121,6 +121,7 @@ class Domain(_mindeg._Domain):
         """
         found, options = self._advice()
         words = dict(found["words"])
+        words["solver"] = " ".join(filter(None, (words["solver"], found["on_edges"])))
         told = {key: found[key] for key in ("first", "no_solver", "conditioned", "points_on_edges")}
         return told | {
             purpose: found[purpose] and {**found[purpose], "words": words[purpose], "options": options[purpose]} for purpose in options

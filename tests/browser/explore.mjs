@@ -93,6 +93,7 @@ test("a newcomer leaves with the mesh for a solver, or with the one for a patch"
   assert.equal(await text(page, "#title"), "boundary-layer-channel");
   assert.match(await facts(page), /112 boundary vertices/);
   assert.match(await text(page, "#advice"), /^For a solver, put points inside: minimum angle 15\.600°/);
+  assert.match(await text(page, "#on-edges"), /^If the boundary may have 14 points more, condition it: minimum angle 40\.\d+°\.$/);
   assert.deepEqual(await pressed(page), ["points inside"]);
   const [solver, patch] = await figures(page);
   assert.match(solver, /^Points inside: degree 7/);

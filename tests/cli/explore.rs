@@ -169,6 +169,7 @@ mod page {
             let found = all.iter().find(|it| it[0] == purpose).expect("a purpose");
             found[1].as_str().expect("text").to_owned()
         };
+        let on_edges = shown["on_edges"].as_str().unwrap_or_default();
         let texts = [
             mindeg(["tradeoff", file, "-o", &figures]).text().to_owned(),
             mindeg(["mesh", file, "-o", &out]).errors,
@@ -177,9 +178,9 @@ mod page {
         ];
         let first = shown["first"].as_str().expect("a purpose");
         let second = if first == "solver" { "patch" } else { "solver" };
-        for sentence in [first, second].map(words) {
+        for sentence in [&words(first)[1..], &words(second)[1..], on_edges] {
             for text in &texts {
-                assert!(text.contains(&sentence[1..]), "{file}: {sentence} is missing in {text}");
+                assert!(text.contains(sentence), "{file}: {sentence} is missing in {text}");
             }
         }
         let figures = fs::read_to_string(figures).expect("figures");
@@ -198,6 +199,11 @@ mod page {
         // A changed boundary is named with what its command makes.
         let conditioned = &shown["conditioned"];
         assert_eq!(conditioned, &figures["advice"]["conditioned"], "{file}");
+        assert_eq!(
+            conditioned.is_object(),
+            on_edges.contains(" points more, condition it: "),
+            "{file}"
+        );
         if conditioned.is_object() {
             let made = mindeg(["mesh", file, "--interior", "--condition", "--json", "-o", &out]);
             let made = made.json();
@@ -223,7 +229,9 @@ mod page {
         let degree = shown["solver"]["max_degree"].to_string();
         assert_eq!(row.split_whitespace().next(), Some(&*degree), "{file}: {row}");
         let table = mindeg(["tradeoff", file, "--for", told]);
-        assert!(table.text().ends_with(&format!("{}\n", words(told))), "{file}, {told}");
+        let more = if told == "solver" { on_edges } else { "" };
+        let told = [&words(told), more].join(" ");
+        assert!(table.text().ends_with(&format!("{}\n", told.trim_end())), "{file}, {told}");
     }
 
     /// The domain whose advice takes a second of work in each of the places.

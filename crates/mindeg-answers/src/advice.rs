@@ -16,7 +16,8 @@ use mindeg::{Domain, Goal, MeshError, Progress, is_by_formula};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// A hint beside another answer has figures up to so many vertices: they take two meshes.
+/// A hint beside another answer has figures up to this number of points: they take two meshes. Points on edges, which take one more,
+/// are tried up to the same number.
 const HINTED: usize = 2000;
 
 /// Up to so many vertices of convex domains that are too large for the search, a hint has the figures of the patch: a third of
@@ -57,6 +58,13 @@ pub struct Advice {
     pub patch: Option<AdvisedMesh>,
     /// Of the least maximum degree, with the largest angle that is found; null if it was not made.
     pub fewest: Option<AdvisedMesh>,
+}
+
+/// The points of boundaries and of lines inside.
+fn count_of_points(domains: &[Domain]) -> usize {
+    let count =
+        |domain: &Domain| domain.rings().vertex_count() as usize + domain.inner_points().len();
+    domains.iter().map(count).sum()
 }
 
 impl Advice {
@@ -122,9 +130,7 @@ impl Advice {
     /// without the mesh of the fewest edges, which no hint names.
     #[must_use]
     pub fn for_hint(domains: &[Domain], progress: Progress<'_>) -> Self {
-        let points =
-            |domain: &Domain| domain.rings().vertex_count() as usize + domain.inner_points().len();
-        let count = domains.iter().map(points).sum::<usize>();
+        let count = count_of_points(domains);
         if count > HINTED {
             // Windows alone give the patch of a large convex domain.
             let is_quick = |domain: &Domain| {
@@ -166,12 +172,14 @@ impl Advice {
         Self { first, solver, no_solver, patch, fewest, ..Self::UNMEASURED }
     }
 
-    /// The same with the mesh that has points on edges, too, if there is one with a larger angle: for a boundary that
-    /// [`is_poor`]. Time as [`interior::mesh_all`].
+    /// The same with the mesh that has points on edges, too, if there is one with a larger angle: for a boundary of at most 2,000 points
+    /// that [`is_poor`]. Time as [`interior::mesh_all`].
     #[must_use]
     pub fn and_points_on_edges(self, domains: &[Domain], progress: Progress<'_>) -> Self {
         let wanted = domains.first().map(advised_interior).unwrap_or_default();
-        let Some(solver) = self.solver else { return self };
+        let Some(solver) = self.solver.filter(|_| count_of_points(domains) <= HINTED) else {
+            return self;
+        };
         match mesh_with_points_on_edges(domains, &wanted, progress) {
             Some((points, found)) if found.report.min_angle >= WORTH * solver.min_angle => Self {
                 conditioned: Some(AdvisedMesh::of_interior(&found.report)),
@@ -217,8 +225,9 @@ impl Advice {
         }
     }
 
-    /// What points on edges bring, in a sentence.
-    fn on_edges(&self) -> Option<String> {
+    /// What points on edges bring, in a sentence; the second one of [`Self::sentence`] for a solver.
+    #[must_use]
+    pub fn on_edges(&self) -> Option<String> {
         Some(format!(
             "If the boundary may have {} more, condition it: minimum angle {}.",
             counted(self.points_on_edges as u64, "point"),
@@ -226,8 +235,9 @@ impl Advice {
         ))
     }
 
-    /// The mesh to take for a purpose where the boundary stays as it is.
-    fn as_it_is(&self, purpose: Purpose) -> String {
+    /// The mesh to take for a purpose where the boundary stays as it is, in a sentence.
+    #[must_use]
+    pub fn as_it_is(&self, purpose: Purpose) -> String {
         if let (Purpose::Solver, Some(reason)) = (purpose, &self.no_solver) {
             return format!("Points inside cannot be put here: {}.", reason.trim_end_matches('.'));
         }
@@ -309,16 +319,18 @@ pub struct AdviceAnswer {
     /// The same keys as in `mindeg tradeoff --json`.
     #[serde(flatten)]
     pub advice: Advice,
-    /// The sentence for each purpose, in the order of [`Purpose::ALL`].
+    /// The sentence for each purpose where the boundary stays as it is, in the order of [`Purpose::ALL`].
     pub words: Vec<(Purpose, String)>,
+    /// What points on edges bring a solver, in a sentence; null if that is not known to be more.
+    pub on_edges: Option<String>,
 }
 
 impl AdviceAnswer {
     /// The advice in all its sentences.
     #[must_use]
     pub fn of(advice: Advice) -> Self {
-        let words = Purpose::ALL.map(|purpose| (purpose, advice.sentence(purpose))).into();
-        Self { advice, words }
+        let words = Purpose::ALL.map(|purpose| (purpose, advice.as_it_is(purpose))).into();
+        Self { words, on_edges: advice.on_edges(), advice }
     }
 }
 
@@ -366,9 +378,12 @@ mod tests {
     /// What a changed boundary brings is a second sentence, with a second command.
     #[test]
     fn points_on_edges_are_named_beside_points_inside() {
-        let domain = Domain::from_rings([[[0.0, 0.0], [10.0, 0.0], [10.0, 0.5], [0.0, 0.5]]]);
-        let own = [domain.unwrap()];
-        let advice = Advice::of(&own, Progress::NONE).unwrap();
+        let strip = |at: u32| {
+            let y = f64::from(at);
+            let ring = [[0.0, y], [10.0, y], [10.0, y + 0.5], [0.0, y + 0.5]];
+            Domain::from_rings([ring]).unwrap()
+        };
+        let advice = Advice::of(&[strip(0)], Progress::NONE).unwrap();
         let (solver, conditioned) = (advice.solver.unwrap(), advice.conditioned.unwrap());
         assert!(solver.min_angle < 6.0 && conditioned.min_angle > 25.0, "{advice:?}");
         assert!(advice.points_on_edges > 4);
@@ -382,6 +397,11 @@ mod tests {
         let commands = "\nmindeg mesh DOMAIN.json --interior -o mesh-points-inside.obj\n\
                         mindeg mesh DOMAIN.json --interior --condition -o mesh-conditioned.obj";
         assert!(hints.contains(commands), "{hints}");
+        // Of more than 2,000 points none are tried.
+        let before = Advice { conditioned: None, points_on_edges: 0, ..advice.clone() };
+        assert_eq!(before.clone().and_points_on_edges(&[strip(0)], Progress::NONE), advice);
+        let many: Vec<Domain> = (0..501).map(strip).collect();
+        assert_eq!(before.clone().and_points_on_edges(&many, Progress::NONE), before);
         // Nothing is asked of a boundary where triangles are good, or that cannot be better.
         let square = Domain::rectangle(1.0, 1.0, vec![Side::count(4); 4]).unwrap();
         let wedge = Domain::from_rings([[[0.0, 0.0], [10.0, 0.0], [10.0, 1.0]]]).unwrap();

@@ -82,13 +82,16 @@ pub(crate) fn verdict(report: &Report) -> Verdict {
             steady_angle(angle_there)
         ));
     }
-    let mut advised = report.advice.purposes(report.purpose).into_iter();
-    let mut sentence = || advised.next().map(|purpose| report.advice.sentence(purpose));
+    let purposes = report.advice.purposes(report.purpose);
+    let on_edges = report.advice.on_edges().filter(|_| purposes.contains(&Purpose::Solver));
+    let mut advised = purposes.into_iter();
+    let mut sentence = || advised.next().map(|purpose| report.advice.as_it_is(purpose));
     let (headline, also) = (sentence().unwrap_or_default(), sentence());
     let is_about_patch = report.purpose.is_none_or(|purpose| purpose == Purpose::Patch);
     let taken = patch(report).filter(|_| is_about_patch);
-    let mut notes: Vec<String> =
-        beside_delaunay(taken.unwrap_or(mindeg), delaunay).into_iter().collect();
+    // Below the picture: above it, this would push it out of a small screen.
+    let mut notes: Vec<String> = on_edges.into_iter().collect();
+    notes.extend(beside_delaunay(taken.unwrap_or(mindeg), delaunay));
     notes.extend(report.methods.iter().filter_map(failure));
     Verdict { headline, also, caveat: taken.and_then(|taken| caveat(taken, delaunay)), notes }
 }

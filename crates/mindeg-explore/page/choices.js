@@ -88,6 +88,8 @@ export function showAdvice() {
   const { advice } = shown;
   const now = purposeNow();
   showPurposes(element("purposes"), advice, now);
+  // Among what decides the angle: under the cards it would push the curve out of the first screen.
+  element("on-edges").textContent = advice?.on_edges ?? "";
   if (!advice) {
     element("advice").textContent = "…";
     return;

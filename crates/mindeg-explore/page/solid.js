@@ -63,7 +63,8 @@ async function showWhole(purpose) {
     element("solid-meshes").replaceChildren(shownNow[0].figure);
     shownNow[0].draw();
     const words = advice?.words.find(([name]) => name === found.purpose)?.[1];
-    element("solid-words").textContent = [words, found.words].filter(Boolean).join(" ");
+    const more = found.purpose === "solver" ? advice?.on_edges : "";
+    element("solid-words").textContent = [words, more, found.words].filter(Boolean).join(" ");
     element("solid-command").textContent = found.command;
     made = { purpose: found.purpose };
     element("solid-download").hidden = false;

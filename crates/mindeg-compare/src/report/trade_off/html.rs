@@ -202,8 +202,9 @@ fn verdict(trade_off: &TradeOff, advice: &Advice, told: Option<Purpose>) -> Vec<
     let delaunay = steady_angle(trade_off.delaunay_min_angle());
     let (Some(first), Some(last)) = (meshes.first(), meshes.last()) else { return Vec::new() };
     let (least, most) = (count(first.max_degree), count(last.max_degree));
+    let purposes = advice.purposes(told);
     let mut sentences: Vec<String> =
-        advice.purposes(told).into_iter().map(|purpose| advice.sentence(purpose)).collect();
+        purposes.iter().map(|purpose| advice.as_it_is(*purpose)).collect();
     sentences.push(format!(
         "Without points inside, degree {least}, the least possible, has at most {}.",
         describe(first)
@@ -217,6 +218,7 @@ fn verdict(trade_off: &TradeOff, advice: &Advice, told: Option<Purpose>) -> Vec<
     } else if meshes.len() > 1 {
         sentences.push(format!("Degree {most} has Delaunay's {delaunay} in full."));
     }
+    sentences.extend(advice.on_edges().filter(|_| purposes.contains(&Purpose::Solver)));
     sentences
 }
 
