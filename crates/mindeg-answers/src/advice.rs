@@ -79,7 +79,8 @@ impl Advice {
         fewest: None,
     };
 
-    /// The advice on a domain, or on the parts of one that share no edge, for which three meshes are made.
+    /// The advice on a domain, or on the parts of one that share no edge, for which three meshes are made, and a
+    /// fourth where the boundary is poor.
     ///
     /// # Errors
     ///
@@ -219,19 +220,20 @@ impl Advice {
     /// The mesh to take for a purpose, with its figures, in a sentence; in two where points on edges bring more.
     #[must_use]
     pub fn sentence(&self, purpose: Purpose) -> String {
-        match self.on_edges().filter(|_| purpose == Purpose::Solver) {
+        match self.on_edges(&[purpose]) {
             Some(more) => format!("{} {more}", self.as_it_is(purpose)),
             None => self.as_it_is(purpose),
         }
     }
 
-    /// What points on edges bring, in a sentence; the second one of [`Self::sentence`] for a solver.
+    /// What points on edges bring, in a sentence, if a solver is among the purposes; the second one of [`Self::sentence`].
     #[must_use]
-    pub fn on_edges(&self) -> Option<String> {
+    pub fn on_edges(&self, purposes: &[Purpose]) -> Option<String> {
+        let conditioned = self.conditioned.filter(|_| purposes.contains(&Purpose::Solver))?;
         Some(format!(
             "If the boundary may have {} more, condition it: minimum angle {}.",
             counted(self.points_on_edges as u64, "point"),
-            steady_angle(self.conditioned?.min_angle)
+            steady_angle(conditioned.min_angle)
         ))
     }
 
@@ -299,8 +301,7 @@ impl Advice {
             // Small after "hint:".
             let sentence = self.sentence(purpose);
             let words = format!("hint: f{}", sentence.trim_start_matches('F'));
-            let on_edges = self.conditioned.filter(|_| purpose == Purpose::Solver);
-            let more = on_edges.map(|_| command.conditioned());
+            let more = self.on_edges(&[purpose]).map(|_| command.conditioned());
             let lines = [words, command.advised(purpose)].into_iter().chain(more);
             lines.collect::<Vec<_>>().join("\n")
         };
@@ -330,7 +331,7 @@ impl AdviceAnswer {
     #[must_use]
     pub fn of(advice: Advice) -> Self {
         let words = Purpose::ALL.map(|purpose| (purpose, advice.as_it_is(purpose))).into();
-        Self { words, on_edges: advice.on_edges(), advice }
+        Self { words, on_edges: advice.on_edges(&Purpose::ALL), advice }
     }
 }
 

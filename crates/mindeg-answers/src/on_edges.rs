@@ -1,8 +1,9 @@
 //! Points on the edges of a boundary that leaves little room for good triangles: when they are worth naming, how many they are, and
 //! the mesh that has them.
 
-use crate::condition::ConditionAnswer;
-use mindeg::interior::{self, AngleLimit, BoundaryDemands, Cause, InteriorMesh, InteriorReport};
+use mindeg::interior::{
+    self, AngleLimit, BoundaryDemands, Cause, ChangeKind, InteriorMesh, InteriorReport,
+};
 use mindeg::{Domain, Interior, Progress};
 
 /// Below this limit in degrees a boundary is worth changing: meshes need 20 to 30.
@@ -41,7 +42,8 @@ pub fn with_points_on_edges(
     let least_triangles = wanted.least_triangles();
     let demands = BoundaryDemands { least_triangles, ..BoundaryDemands::default() };
     let (new, changed) = interior::condition_all(domains, &demands, kept).ok()?;
-    let points = ConditionAnswer::of(domains, &new, &changed).inserted;
+    let changes = changed.iter().flat_map(|one| &one.changes);
+    let points = changes.filter(|change| change.kind == ChangeKind::Inserted).count();
     Some((new, points))
 }
 

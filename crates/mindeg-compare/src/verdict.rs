@@ -83,7 +83,7 @@ pub(crate) fn verdict(report: &Report) -> Verdict {
         ));
     }
     let purposes = report.advice.purposes(report.purpose);
-    let on_edges = report.advice.on_edges().filter(|_| purposes.contains(&Purpose::Solver));
+    let on_edges = report.advice.on_edges(&purposes);
     let mut advised = purposes.into_iter();
     let mut sentence = || advised.next().map(|purpose| report.advice.as_it_is(purpose));
     let (headline, also) = (sentence().unwrap_or_default(), sentence());

@@ -218,7 +218,7 @@ fn verdict(trade_off: &TradeOff, advice: &Advice, told: Option<Purpose>) -> Vec<
     } else if meshes.len() > 1 {
         sentences.push(format!("Degree {most} has Delaunay's {delaunay} in full."));
     }
-    sentences.extend(advice.on_edges().filter(|_| purposes.contains(&Purpose::Solver)));
+    sentences.extend(advice.on_edges(&purposes));
     sentences
 }
 
