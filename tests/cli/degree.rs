@@ -156,3 +156,16 @@ fn the_degree_of_a_model_is_that_of_its_mesh() {
     mindeg(["degree", "assets/models/cube.json", "--proof", &out])
         .refuses(&["--proof is for a domain; ", "is a model"]);
 }
+
+#[test]
+fn points_on_edges_are_named_where_the_limit_is_not_low_too() {
+    let run = mindeg(["degree", "assets/domains/wing-panel.json"]);
+    let words = "If the boundary may have 8 points more, condition it: minimum angle 36.100°";
+    assert!(run.text().contains(words), "{run:?}");
+    // The mesh itself tells it of lower limits alone.
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("wing.obj");
+    let out = out.to_str().expect("paths here are UTF-8");
+    let run = mindeg(["mesh", "assets/domains/wing-panel.json", "--interior", "-o", out]);
+    assert!(run.code == Some(0) && !run.errors.contains("--condition puts"), "{run:?}");
+}

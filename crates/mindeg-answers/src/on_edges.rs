@@ -6,8 +6,10 @@ use mindeg::interior::{
 };
 use mindeg::{Domain, Interior, Progress};
 
-/// Below this limit in degrees a boundary is worth changing: meshes need 20 to 30.
-const POOR_LIMIT: f64 = 20.0;
+/// Below this limit in degrees a boundary is worth changing. `condition` brings it to 25, unless asked for less.
+const LOW_LIMIT: f64 = 20.0;
+/// Below this limit in degrees it is worth a mesh to learn what points on edges bring.
+const POOR_LIMIT: f64 = 30.0;
 /// Below this share of the limits of places a boundary leaves little room.
 const POOR_SHARE: f64 = 0.9;
 
@@ -20,15 +22,19 @@ pub fn is_tight(report: &InteriorReport) -> bool {
 /// Whether a boundary has a low limit for another reason than the angle of a corner itself, which no point on an edge changes.
 #[must_use]
 pub fn is_low(limit: &AngleLimit) -> bool {
+    is_below(LOW_LIMIT, limit)
+}
+
+fn is_below(bound: f64, limit: &AngleLimit) -> bool {
     let is_sharp =
         matches!(limit.cause, Cause::Corner { angle, .. } if angle < limit.min_angle * 1.01);
-    limit.min_angle < POOR_LIMIT && !is_sharp
+    limit.min_angle < bound && !is_sharp
 }
 
 /// Whether points on edges may bring better triangles than a mesh has.
 #[must_use]
 pub fn is_poor(found: &InteriorMesh) -> bool {
-    is_tight(&found.report) || is_low(&found.limit)
+    is_tight(&found.report) || is_below(POOR_LIMIT, &found.limit)
 }
 
 /// The domains after `--condition` alone, and how many points it put on edges. `None` where it cannot be done. Time as

@@ -110,7 +110,7 @@ impl PolygonFile {
             ));
         }
         if let Some(within) = options.parts_holes {
-            outlines = outlines.with_parted_holes(within);
+            outlines = outlines.with_parted_holes(within, projection.is_some());
         }
         let Outlines { features, mut inside, periodic, kinds, mut notes, .. } = outlines;
         let rings = features.iter().flat_map(|feature| &feature.rings);

@@ -89,9 +89,10 @@ impl Outlines {
 
     /// The same polygons without holes that touch other rings: where one does at a vertex, the vertex of the hole moves a
     /// little into the hole: by a quarter of its shorter edge there, and by `within`, at most. For a change of the boundary, which
-    /// such rings would hold; meshes take them as they are. A note tells how many moved, how far, and where the farthest was.
+    /// such rings would hold; meshes take them as they are. A note tells how many moved, how far, in metres if `is_metric`, and where
+    /// the farthest was.
     #[must_use]
-    pub fn with_parted_holes(mut self, within: f64) -> Self {
+    pub fn with_parted_holes(mut self, within: f64, is_metric: bool) -> Self {
         let moves = part_holes(&mut self.features, within);
         let farthest = moves.iter().max_by(|a, b| a.0.total_cmp(&b.0));
         if let Some((far, at)) = farthest {
@@ -100,8 +101,9 @@ impl Outlines {
                 count => format!("{count} vertices"),
             };
             let [x, y] = at.to_array().map(coordinate);
+            let unit = if is_metric { " m" } else { "" };
             self.notes.push(format!(
-                "moved {vertices} of touching holes by {} at most, at ({x}, {y})",
+                "moved {vertices} of touching holes by {}{unit} at most, at ({x}, {y})",
                 number(*far)
             ));
         }
@@ -394,11 +396,13 @@ mod tests {
         let outer = vec![[0.0, 0.0], [2.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]];
         let touching = vec![[2.0, 0.0], [1.0, 2.0], [3.0, 2.0]];
         assert_eq!(shown_of(outlines.clone()).0, [[outer.clone(), touching]]);
-        let (features, notes) = shown_of(outlines.with_parted_holes(f64::INFINITY));
+        let (features, notes) = shown_of(outlines.with_parted_holes(f64::INFINITY, false));
         let [rings] = &features[..] else { panic!("{features:?}") };
         let [outside, hole] = &rings[..] else { panic!("{rings:?}") };
-        let near = outlines_of(&[ring]).repaired(None).unwrap().with_parted_holes(0.125);
-        assert_eq!(shown_of(near).0[0][1][0], [2.0, 0.125]);
+        let near = outlines_of(&[ring]).repaired(None).unwrap().with_parted_holes(0.125, true);
+        let (features, near_notes) = shown_of(near);
+        assert_eq!(features[0][1][0], [2.0, 0.125]);
+        assert_eq!(near_notes, ["moved 1 vertex of touching holes by 0.125 m at most, at (2, 0)"]);
         assert_eq!(*outside, outer);
         assert_eq!(hole[1..], [[1.0, 2.0], [3.0, 2.0]]);
         assert_eq!(hole[0][0], 2.0);
@@ -441,7 +445,7 @@ mod tests {
         let outer: &[[f64; 2]] = &[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [2.0, 2.0], [0.0, 4.0]];
         let hole: &[[f64; 2]] = &[[1.0, 2.5], [1.5, 0.5], [2.5, 0.5], [3.0, 2.5], [2.0, 2.0]];
         let outlines = outlines_of(&[outer, hole]).repaired(None).unwrap();
-        let (features, _) = shown_of(outlines.with_parted_holes(f64::INFINITY));
+        let (features, _) = shown_of(outlines.with_parted_holes(f64::INFINITY, false));
         let moved = features[0][1][4];
         assert!(moved[0] == 2.0 && moved[1] < 2.0 && moved[1] > 1.5, "{moved:?}");
     }
