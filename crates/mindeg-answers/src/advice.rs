@@ -7,6 +7,7 @@ pub use crate::advised::{AdvisedMesh, MOST_POINTS, NoPoints, advised_interior};
 pub use crate::purpose::{FEWEST, KEPT, Purpose};
 
 use crate::command::MeshCommand;
+use crate::condition::points_of;
 use crate::numbers::{counted, number, percent, steady_angle};
 use crate::on_edges::{is_poor, mesh_with_points_on_edges};
 use mindeg::beside::mesh_parts;
@@ -18,11 +19,11 @@ use serde::Serialize;
 
 /// A hint beside another answer has figures up to this number of points: they take two meshes. Points on edges, which take one more,
 /// are tried up to the same number.
-const HINTED: usize = 2000;
+const HINTED: u64 = 2000;
 
 /// Up to so many vertices of convex domains that are too large for the search, a hint has the figures of the patch: a third of
 /// a second.
-const WINDOWED: usize = 50_000;
+const WINDOWED: u64 = 50_000;
 
 /// Points inside that bring less than so many times the angle bring too little.
 const WORTH: f64 = 1.05;
@@ -60,11 +61,9 @@ pub struct Advice {
     pub fewest: Option<AdvisedMesh>,
 }
 
-/// The points of boundaries and of lines inside.
-fn count_of_points(domains: &[Domain]) -> usize {
-    let count =
-        |domain: &Domain| domain.rings().vertex_count() as usize + domain.inner_points().len();
-    domains.iter().map(count).sum()
+/// The points of all domains, which may be more than one domain can have.
+fn count_of_points(domains: &[Domain]) -> u64 {
+    domains.iter().map(|domain| u64::from(points_of(domain))).sum()
 }
 
 impl Advice {

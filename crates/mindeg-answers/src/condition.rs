@@ -188,8 +188,8 @@ impl ConditionAnswer {
             reason: why_narrow(narrow.reason),
         };
         Self {
-            points_before: before.iter().map(points).sum(),
-            points: after.iter().map(points).sum(),
+            points_before: before.iter().map(points_of).sum(),
+            points: after.iter().map(points_of).sum(),
             dropped: count(ChangeKind::Dropped),
             inserted: count(ChangeKind::Inserted),
             shifted: count(ChangeKind::Shifted),
@@ -386,7 +386,7 @@ fn why_narrow(reason: NarrowReason) -> &'static str {
 }
 
 /// The points of rings and lines, and those inside.
-fn points(domain: &Domain) -> u32 {
+pub(crate) fn points_of(domain: &Domain) -> u32 {
     domain.rings().vertex_count() + domain.inner_points().len() as u32
 }
 

@@ -6,6 +6,7 @@ mod words;
 pub use beside::DegreeBeside;
 
 use self::words::{certificate_in_words, in_words, map_in_words, region_of};
+use crate::condition::points_of;
 use crate::limit::LimitAnswer;
 use crate::proof::ProofFile;
 use mindeg::exact::{DegreeAnswer, DegreeBound, LowerBound, Reached, degree_with};
@@ -248,7 +249,7 @@ impl DegreeReport {
         let regions = faces.map_or(1, |faces| {
             (0..faces.count as u32).filter(|face| !domain.is_hole(*face)).count()
         });
-        let vertices = rings.vertex_count() + domain.inner_points().len() as u32;
+        let vertices = points_of(domain);
         let interior_edges = (3 * triangles - rings.vertex_count() - at_holes) / 2;
         // Edges on the boundary have one triangle.
         let edges = interior_edges + rings.vertex_count() + at_holes;
