@@ -906,6 +906,8 @@ test("the last meshes, their figures and the advice stay beside a fault, however
     apply(moveCorner(state.domain, shown.domain, { ring: 0, index: 0 }, [5, 1.5]));
   });
   await page.waitForFunction(() => [...document.querySelectorAll(".mesh:not([hidden]) .figures")].every((it) => it.textContent === "Working …"));
+  // The curve of the sound domain can come now, too.
+  await page.evaluate(async () => (await import("/page/show.js")).showCurveNow(() => {}));
   await answered(page);
   assert.match(await text(page, "#trouble-text"), /cross|touch/);
   assert.deepEqual(await rows(), advised);

@@ -76,7 +76,9 @@ const take = {
       showRefused(stages, { message, path });
       if (shown.advice || !shown.forgotten.advice) return;
       shown.advice = shown.forgotten.advice;
-      return showAdvice();
+      showAdvice();
+      // One that came while the advice was waited for has no points inside.
+      return showCurveNow(chooseDegree);
     }
     showPartRefused(stages, part, message);
     laterCharts();
