@@ -24,6 +24,14 @@ pub(crate) fn run(arguments: &ConditionArguments) -> Result<(), Failure> {
     let size = arguments.size;
     refuse_degrees(&subject, &arguments.change, size)?;
     let Parts { name: of_all, domains } = subject.parts()?;
+    // Each part stays one, so this is known before the work.
+    if arguments.output.is_some() && domains.len() > 1 {
+        return Err(Failure::Input(format!(
+            "-o is for one domain in JSON, and this map has {} parts that share no edge, such as islands: --changes has all \
+             new boundaries, mindeg mesh --interior --condition meshes them, and --feature chooses polygons",
+            domains.len()
+        )));
+    }
     let preset = arguments.preset;
     let wanted = preset.map(|preset| preset.asked_of(Interior::default())).unwrap_or_default();
     let least = wanted.least_triangles();
@@ -36,17 +44,8 @@ pub(crate) fn run(arguments: &ConditionArguments) -> Result<(), Failure> {
     // The coast changes as without open water, as in `mesh`: names that this gives hold no point.
     let (new, _) = arguments.kinds.told(&new)?;
     let answer = ConditionAnswer::of(&domains, &new, &conditioned);
-    let domain_file = match (&arguments.output, &new[..]) {
-        (None, _) => None,
-        (Some(path), [new]) => Some((new.to_json(), path.as_path())),
-        (Some(_), several) => {
-            return Err(Failure::Input(format!(
-                "-o is for one domain in JSON, and this map has {} parts that share no edge, such as islands: --changes has all \
-                 new boundaries, mindeg mesh --interior --condition meshes them, and --feature chooses polygons",
-                several.len()
-            )));
-        }
-    };
+    let domain_file =
+        arguments.output.as_deref().zip(new.first()).map(|(path, new)| (new.to_json(), path));
     let title = match &domains[..] {
         [domain] => name(domain),
         _ => shown(of_all.as_deref().unwrap_or(UNNAMED)),
