@@ -33,8 +33,8 @@ pub(crate) struct Node {
     pub(crate) spread: f64,
     pub(crate) least: f64,
     pub(crate) greatest: f64,
-    /// The second child; the first is the next node. 0 at a leaf.
-    right: u32,
+    /// The two halves; 0 at a leaf.
+    halves: [u32; 2],
     pub(crate) is_straight: bool,
     /// The sum of the edges' lengths.
     pub(crate) length: f64,
@@ -46,11 +46,14 @@ pub(crate) struct Node {
     id: u32,
 }
 
-/// The tree: nodes in preorder, one root for each ring.
+/// The tree: one root for each ring, and nodes above these, which searches begin with.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct EdgeTree {
+    /// Those below a root come together.
     nodes: Vec<Node>,
     roots: Vec<u32>,
+    /// Of all rings.
+    top: Option<u32>,
 }
 
 /// Turns below this count as straight: rounded points of one side. Decides how fast a search is, and no
@@ -62,6 +65,7 @@ impl EdgeTree {
     /// its first vertex.
     pub(crate) fn of_boundary(boundary: &PlanarBoundary) -> Self {
         let mut tree = Self::default();
+        let mut boxes = Vec::new();
         for ring in boundary.rings() {
             let turns = |vertex: &u32| {
                 let [before, at, after] =
@@ -75,8 +79,9 @@ impl EdgeTree {
                 Item { id, from, to, size: from.distance(to), reach: 0.0 }
             };
             let items: Vec<Item> = (start..ring.end).chain(ring.start..start).map(item).collect();
-            tree.push_root(&items);
+            boxes.push(tree.push_root(&items));
         }
+        tree.join_roots(&boxes);
         tree
     }
 
@@ -85,12 +90,47 @@ impl EdgeTree {
         let mut tree = Self::default();
         if !items.is_empty() {
             sort_by_place(&mut items);
-            tree.push_root(&items);
+            let bounds = tree.push_root(&items);
+            tree.join_roots(&[bounds]);
         }
         tree
     }
 
-    fn push_root(&mut self, items: &[Item]) {
+    /// A search looks at few of many rings.
+    fn join_roots(&mut self, boxes: &[Bounds]) {
+        let of_ring = |(id, bounds): (u32, &Bounds)| {
+            let middle = bounds.center();
+            Item { id, from: middle, to: middle, size: 0.0, reach: 0.0 }
+        };
+        let mut rings: Vec<Item> = (0..).zip(boxes).map(of_ring).collect();
+        sort_by_place(&mut rings);
+        let ring = |item: &Item| (self.roots[item.id as usize], boxes[item.id as usize]);
+        let rings: Vec<(u32, Bounds)> = rings.iter().map(ring).collect();
+        if !rings.is_empty() {
+            self.top = Some(self.joined(&rings).0);
+        }
+    }
+
+    /// The node above some roots, and the box around their edges.
+    fn joined(&mut self, rings: &[(u32, Bounds)]) -> (u32, Bounds) {
+        if let [ring] = rings {
+            return *ring;
+        }
+        let (first, second) = rings.split_at(rings.len() / 2);
+        let (a, b) = (self.joined(first), self.joined(second));
+        let (node, bounds) = self.join([a, b]);
+        self.nodes.push(node);
+        (self.nodes.len() as u32 - 1, bounds)
+    }
+
+    /// A node above two.
+    fn join(&self, [(first, a), (second, b)]: [(u32, Bounds); 2]) -> (Node, Bounds) {
+        let bounds = Bounds { min: a.min.min(b.min), max: a.max.max(b.max) };
+        let [a, b] = [first, second].map(|half| &self.nodes[half as usize]);
+        (Node { halves: [first, second], ..Node::join(a, b, &bounds) }, bounds)
+    }
+
+    fn push_root(&mut self, items: &[Item]) -> Bounds {
         self.roots.push(self.nodes.len() as u32);
         // corners[i]: the run turns, or breaks, before item i.
         let corners: Vec<u32> = (1..items.len() as u32)
@@ -99,7 +139,7 @@ impl EdgeTree {
                 a.to != b.from || !is_straight(a.to - a.from, b.to - b.from)
             })
             .collect();
-        self.build(items, 0, &corners);
+        self.build(items, 0, &corners).1
     }
 
     /// The new node, and the box around its edges as far as they reach.
@@ -126,30 +166,29 @@ impl EdgeTree {
         // The place is taken first: nodes are in preorder.
         self.nodes.push(Node::leaf(&items[0]));
         let (first, second) = items.split_at((split - offset) as usize);
-        let (left, a) = self.build(first, offset, inner);
-        let (right, b) = self.build(second, split, inner);
-        let bounds = Bounds { min: a.min.min(b.min), max: a.max.max(b.max) };
-        let mut node = Node::join(&self.nodes[left as usize], &self.nodes[right as usize], &bounds);
-        node.is_straight = inner.is_empty();
-        node.right = right;
-        self.nodes[at] = node;
+        let halves = [self.build(first, offset, inner), self.build(second, split, inner)];
+        let (node, bounds) = self.join(halves);
+        self.nodes[at] = Node { is_straight: inner.is_empty(), ..node };
         (at as u32, bounds)
     }
 
     /// Calls `edge` with the id of every edge that no node above it excludes.
     pub(crate) fn visit(&self, mut enter: impl FnMut(&Node) -> bool, mut edge: impl FnMut(u32)) {
-        for root in &self.roots {
-            let mut stack = vec![*root];
-            while let Some(at) = stack.pop() {
-                let node = &self.nodes[at as usize];
-                if !enter(node) {
-                } else if node.right == 0 {
-                    edge(node.id);
-                } else {
-                    stack.extend([node.right, at + 1]);
-                }
+        let mut stack = Vec::from_iter(self.top);
+        while let Some(at) = stack.pop() {
+            let node = &self.nodes[at as usize];
+            match self.children(at) {
+                _ if !enter(node) => {}
+                None => edge(node.id),
+                Some([first, second]) => stack.extend([second, first]),
             }
         }
+    }
+
+    /// How many runs turn.
+    pub(crate) fn turns(&self) -> usize {
+        let of_rings = self.nodes.len() - self.roots.len().saturating_sub(1);
+        self.nodes[..of_rings].iter().filter(|node| !node.is_straight).count()
     }
 
     pub(crate) fn nodes(&self) -> &[Node] {
@@ -163,8 +202,8 @@ impl EdgeTree {
     /// The nearest edge and its distance, if any is nearer than `within`.
     pub(crate) fn nearest(&self, x: DVec2, within: f64) -> Option<(u32, f64)> {
         let mut best = (u32::MAX, within);
-        for root in &self.roots {
-            self.nearest_below(*root, self.distance(*root, x), x, &mut best);
+        if let Some(top) = self.top {
+            self.nearest_below(top, self.distance(top, x), x, &mut best);
         }
         (best.0 != u32::MAX).then_some(best)
     }
@@ -189,8 +228,8 @@ impl EdgeTree {
 
     /// The least of size + growth * distance over all edges, where that is below `least`.
     pub(crate) fn least_grown(&self, growth: f64, x: DVec2, least: &mut f64) {
-        for root in &self.roots {
-            self.least_grown_below(*root, growth, x, least);
+        if let Some(top) = self.top {
+            self.least_grown_below(top, growth, x, least);
         }
     }
 
@@ -227,10 +266,11 @@ impl EdgeTree {
         }
     }
 
-    /// The greatest of size - growth * distance over all edges below a node, where that is above `greatest`.
-    pub(crate) fn greatest_shrunk_below(&self, at: u32, growth: f64, x: DVec2, greatest: &mut f64) {
-        let bound = self.shrunk(at, growth, x);
-        self.bounded_above(at, bound, growth, x, greatest);
+    /// The greatest of size - growth * distance over all edges, where that is above `greatest`.
+    pub(crate) fn greatest_shrunk(&self, growth: f64, x: DVec2, greatest: &mut f64) {
+        if let Some(top) = self.top {
+            self.bounded_above(top, self.shrunk(top, growth, x), growth, x, greatest);
+        }
     }
 
     /// No edge below a node has more.
@@ -259,8 +299,8 @@ impl EdgeTree {
 
     /// The two halves of a run; none for a single edge.
     pub(crate) fn children(&self, at: u32) -> Option<[u32; 2]> {
-        let right = self.nodes[at as usize].right;
-        (right != 0).then_some([at + 1, right])
+        let halves = self.nodes[at as usize].halves;
+        (halves != [0; 2]).then_some(halves)
     }
 }
 
@@ -284,7 +324,7 @@ impl Node {
             normals,
             is_straight: true,
             id: item.id,
-            right: 0,
+            halves: [0; 2],
         }
     }
 
@@ -303,7 +343,7 @@ impl Node {
             normals,
             is_straight: false,
             id: 0,
-            right: 0,
+            halves: [0; 2],
         }
     }
 
@@ -397,5 +437,41 @@ mod tests {
         let tree = EdgeTree::of_boundary(&outline);
         let whole = tree.nodes().iter().filter(|n| n.is_straight && n.length > 2.9);
         assert_eq!(whole.count(), 4);
+    }
+
+    #[test]
+    fn a_search_looks_at_few_of_many_rings() {
+        let square = |x: f64, y: f64, size: f64| {
+            let corners = [[0.0, 0.0], [size, 0.0], [size, size], [0.0, size]];
+            samples::ring(&corners.map(|[a, b]| [x + a, y + b]), &[3; 4])
+        };
+        let hole = |i: u32| {
+            let mut ring = square(f64::from(i % 30) + 0.3, f64::from(i / 30) + 0.3, 0.4);
+            ring.reverse();
+            ring
+        };
+        let rings: Vec<_> =
+            std::iter::once(square(0.0, 0.0, 30.0)).chain((0..900).map(hole)).collect();
+        let outline = PlanarBoundary::new(&rings).unwrap();
+        let tree = EdgeTree::of_boundary(&outline);
+        let ends = |[a, b]: [u32; 2]| [outline.point(a), outline.point(b)];
+        for i in 0..60 {
+            let x = DVec2::new(f64::from(i) * 0.47, f64::from(i % 7) * 4.1);
+            let far = |[a, b]: [DVec2; 2]| distance_to_segment(x, a, b);
+            let nearest = outline.edges().map(|edge| far(ends(edge))).fold(f64::INFINITY, f64::min);
+            assert_eq!(tree.nearest(x, f64::INFINITY).unwrap().1, nearest);
+            let less = |[a, b]: [DVec2; 2]| a.distance(b) - 0.5 * far([a, b]);
+            let shrunk = outline.edges().map(|edge| less(ends(edge))).fold(-1e9, f64::max);
+            let mut found = f64::NEG_INFINITY;
+            tree.greatest_shrunk(0.5, x, &mut found);
+            assert!((found - shrunk).abs() < 1e-9, "{x}: {found} {shrunk}");
+            let mut looked_at = 0;
+            let enter = |node: &Node| {
+                looked_at += 1;
+                node.distance(x) <= nearest
+            };
+            tree.visit(enter, |_| {});
+            assert!(looked_at < 200, "{looked_at}");
+        }
     }
 }

@@ -77,8 +77,7 @@ impl SizeField {
         let items = wanted.chain(crowded.iter().map(|place| item(place, 1.0, 0.0)));
         let boundary = EdgeTree::of_boundary(outline);
         let frozen = EdgeTree::of_items(frozen.collect());
-        let nodes = boundary.nodes().iter().chain(frozen.nodes());
-        let turns = nodes.filter(|node| !node.is_straight).count();
+        let turns = boundary.turns() + frozen.turns();
         let places = EdgeTree::of_items(items.collect());
         let sources = Sources { boundary, frozen, places, growth, growth_from_edges: growth };
         let cells =
@@ -155,8 +154,8 @@ impl SizeField {
     /// The greatest of length - growth * distance over the edges that stay, at least `least`.
     fn shrunk(&self, x: DVec2, least: f64) -> f64 {
         let mut greatest = least;
-        for (tree, root) in self.sources.edges() {
-            tree.greatest_shrunk_below(root, self.sources.growth, x, &mut greatest);
+        for tree in [&self.sources.boundary, &self.sources.frozen] {
+            tree.greatest_shrunk(self.sources.growth, x, &mut greatest);
         }
         greatest
     }
