@@ -26,7 +26,7 @@ ROOT = Path(__file__).resolve().parents[3]
 MINDEG = os.environ["MINDEG"]
 CONDITION = ["condition", "sea.geojson", "--project", "auto", "--limit", "25", "--size", "4km", "-o", "conditioned.json"]
 # An angle that every coast has: rings that touch are parted, which the others cannot mesh, and nothing else changes.
-RAW = ["condition", "sea.geojson", "--project", "auto", "--limit", "0.01", "-o", "raw.json"]
+RAW = ["condition", "sea.geojson", "--project", "auto", "--limit", "0.01", "--growth", "0", "-o", "raw.json"]
 
 
 class Coast:
@@ -41,14 +41,16 @@ class Coast:
                 yield from side.get("points", [])
 
         outer = {"corners": domain["polygon"]["corners"], "sides": domain["sides"]}
-        rings = [outer, *domain.get("holes", [])]
+        # An islet that touches another ring is a closed line round a hole.
+        rings = [outer, *domain.get("holes", []), *domain.get("lines", [])]
         self.rings = [np.array(list(ring(each["corners"], each["sides"]))) for each in rings]
-        self.points = np.concatenate(self.rings)
+        index = {}
+        self.own = [np.array([index.setdefault(tuple(point), len(index)) for point in ring]) for ring in self.rings]
+        self.points = np.array(list(index))
 
     def loops(self):
         """The indices of the points of each ring."""
-        ends = np.cumsum([len(ring) for ring in self.rings])
-        return np.split(np.arange(ends[-1]), ends[:-1])
+        return self.own
 
     def segments(self):
         return np.concatenate([np.stack([loop, np.roll(loop, -1)], axis=1) for loop in self.loops()])
@@ -73,8 +75,11 @@ class Coast:
 
     def lengths(self):
         """The mean length of the two edges at each point of the boundary."""
-        after = [np.linalg.norm(np.roll(ring, -1, axis=0) - ring, axis=1) for ring in self.rings]
-        return np.concatenate([(length + np.roll(length, 1)) / 2 for length in after])
+        found = np.zeros(len(self.points))
+        for loop, ring in zip(self.own, self.rings):
+            after = np.linalg.norm(np.roll(ring, -1, axis=0) - ring, axis=1)
+            found[loop] = (after + np.roll(after, 1)) / 2
+        return found
 
     def polygon(self):
         from shapely.geometry import Polygon
