@@ -5,6 +5,7 @@ use crate::bar::Bar;
 use crate::domain::{Counted, Parts, Subject, counted};
 use crate::failure::Failure;
 use crate::interrupt::{SESSION, clean_up_on_interrupt};
+use crate::making::advised;
 use crate::mesh::model;
 use crate::provenance::mesh_command;
 use crate::standard_output::{print, print_json};
@@ -65,11 +66,10 @@ pub(crate) fn run(arguments: &DegreeArguments) -> Result<(), Failure> {
     if domain.as_ref().is_none_or(|domain| own_boundary(domain).is_some()) {
         text.extend(fewer(&report));
     }
-    if let Some(domain) = &domain {
-        text.push_str(&advice(std::slice::from_ref(domain), domain, arguments.counts.path()));
-    }
     text.extend(lifting.map(|found| format!("With interior points: {}\n", found.text())));
-    print(&text)
+    print(&text)?;
+    let Some(domain) = &domain else { return Ok(()) };
+    print_advice(std::slice::from_ref(domain), domain, arguments.counts.path())
 }
 
 /// The degree of a whole model, over all its faces.
@@ -110,7 +110,6 @@ fn beside(arguments: &DegreeArguments, parts: &Parts) -> Result<(), Failure> {
         return print_json(&answer);
     }
     let mut text = answer.text();
-    text.push_str(&advice(domains, &parts.whole(), arguments.counts.path()));
     let known =
         liftings.iter().enumerate().filter_map(|(part, found)| Some((part, found.as_ref()?)));
     let least = known.min_by(|(_, a), (_, b)| a.limit.min_angle.total_cmp(&b.limit.min_angle));
@@ -118,7 +117,8 @@ fn beside(arguments: &DegreeArguments, parts: &Parts) -> Result<(), Failure> {
         let part = part_name(part, &domains[part]);
         format!("With interior points, {part} decides: {}\n", found.text())
     }));
-    print(&text)
+    print(&text)?;
+    print_advice(domains, &parts.whole(), arguments.counts.path())
 }
 
 /// Writes the clauses that refute a smaller degree.
@@ -162,8 +162,9 @@ fn fewer(report: &DegreeReport) -> Option<String> {
     Some(format!("hint: {words} and it is {}; mindeg suggest tells more.\n", suggestion.max_degree))
 }
 
-/// The meshes to take of the parts of a domain, which are called as `whole` is.
-fn advice(parts: &[Domain], whole: &Domain, file: Option<&Path>) -> String {
+/// Prints which meshes to take of the parts of a domain, which are called as `whole` is; that can take longer to find than the degree.
+fn print_advice(parts: &[Domain], whole: &Domain, file: Option<&Path>) -> Result<(), Failure> {
     // A domain without a mesh says so when it is meshed.
-    Advice::for_hint(parts, Progress::NONE).hints(&mesh_command(whole, file)) + "\n"
+    let advice = advised(|| Advice::for_hint(parts, Progress::NONE));
+    print(&(advice.hints(&mesh_command(whole, file)) + "\n"))
 }

@@ -200,6 +200,27 @@ impl Made {
         }
         Ok(())
     }
+
+    /// The same, and then what to do next, which can take longer to find than the mesh: a program that reads JSON does not
+    /// wait for it.
+    pub(crate) fn say_and_advise<T: Serialize>(
+        self,
+        text: impl FnOnce() -> String,
+        advice: impl FnOnce() -> Option<String>,
+        summary: impl FnOnce() -> T,
+    ) -> Result<(), Failure> {
+        let is_read = !self.quiet && !self.json;
+        self.say(text, summary)?;
+        if is_read && let Some(advice) = advised(advice) {
+            say(&advice);
+        }
+        Ok(())
+    }
+}
+
+/// The advice, with a bar while it takes its time.
+pub(crate) fn advised<T>(advice: impl FnOnce() -> T) -> T {
+    Bar::new(false).waiting("measuring other meshes", advice)
 }
 
 /// A summary and the files that were written.

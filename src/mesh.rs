@@ -161,7 +161,7 @@ fn mesh_of(domain: &Domain, arguments: &MeshArguments, output: &[PathBuf]) -> Re
         let lines: Vec<String> = more.into_iter().chain(advice).collect();
         (!lines.is_empty()).then(|| lines.join("\n"))
     };
-    made.say(|| text(&meshed, goal, &answer, hints()), || &answer)?;
+    made.say_and_advise(|| text(&meshed, goal, &answer), hints, || &answer)?;
     end
 }
 
@@ -195,12 +195,11 @@ pub(crate) fn unsolved(error: &MeshError, way_out: &str) -> Failure {
     })
 }
 
-fn text(meshed: &Meshed, goal: Goal, answer: &MeshAnswer, hints: Option<String>) -> String {
+fn text(meshed: &Meshed, goal: Goal, answer: &MeshAnswer) -> String {
     let domain = meshed.mesh.domain();
     let angles = [answer.min_angle, answer.max_angle];
     let mut lines = vec![format!("{}: {}", name(domain), words::mesh(meshed, angles))];
     lines.extend(words::standing(meshed, goal, answer.min_angle));
-    lines.extend(hints);
     lines.extend(domain.notes());
     lines.join("\n")
 }

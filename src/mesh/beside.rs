@@ -35,14 +35,10 @@ pub(super) fn run(parts: &Parts, arguments: &MeshArguments) -> Result<(), Failur
     let end = met_or_written_anyway(&unmet, arguments.interior.wanted.write_anyway)?;
     let made = making.write(&found.mesh)?;
     let hints = || {
-        let advice = Advice::for_hint(&parts.domains, Progress::NONE);
-        advice.hints(&mesh_command_again(&parts.whole(), arguments.domain.file.as_deref()))
+        let advice = || Advice::for_hint(&parts.domains, Progress::NONE);
+        let command = mesh_command_again(&parts.whole(), arguments.domain.file.as_deref());
+        arguments.goal.is_empty().then(|| advice().hints(&command))
     };
-    let text = || {
-        let mut lines = mesh_beside(&found, &answer, goal);
-        lines.extend(arguments.goal.is_empty().then(hints));
-        lines.join("\n")
-    };
-    made.say(text, || &answer)?;
+    made.say_and_advise(|| mesh_beside(&found, &answer, goal).join("\n"), hints, || &answer)?;
     end
 }

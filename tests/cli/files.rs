@@ -159,15 +159,15 @@ fn a_polygon_without_a_name_takes_that_of_its_file() {
 fn every_command_that_writes_says_so() {
     let folder = folder(&[("d.json", PLATE), ("a.obj", "v 0 0 0\nv 4 0 0\nv 0 3 0\nf 1 2 3\n")]);
     for (arguments, files) in [
-        ("mesh d.json -o m.obj -o m.gltf", "wrote m.obj, m.gltf, m.bin\n"),
-        ("tradeoff d.json -o page.html", "wrote page.html\n"),
-        ("compare d.json -o c.html", "wrote c.html\n"),
-        ("view d.json -o v.html", "wrote v.html\n"),
-        ("convert a.obj -o c.glb", "wrote c.glb\n"),
-        ("domain d.json -o e.json", "wrote e.json\n"),
+        ("mesh d.json -o m.obj -o m.gltf", "wrote m.obj, m.gltf, m.bin"),
+        ("tradeoff d.json -o page.html", "wrote page.html"),
+        ("compare d.json -o c.html", "wrote c.html"),
+        ("view d.json -o v.html", "wrote v.html"),
+        ("convert a.obj -o c.glb", "wrote c.glb"),
+        ("domain d.json -o e.json", "wrote e.json"),
     ] {
         let told = run(folder.path(), arguments);
-        assert!(told.errors.ends_with(files), "{arguments}: {told:?}");
+        assert!(told.errors.lines().any(|line| line == files), "{arguments}: {told:?}");
         if !arguments.starts_with("domain") {
             assert_eq!(run(folder.path(), &format!("{arguments} -q")).errors, "", "{arguments}");
         }
@@ -222,7 +222,7 @@ fn no_name_of_a_file_steers_a_terminal() {
     let text = run(folder.path(), "domain one.geojson");
     assert!(text.text().contains("  n [31mX  1m  wrote all: 3 points"), "{text:?}");
     let written = run(folder.path(), "mesh one.geojson -o \"$(printf 'w\\033[31m.obj')\"");
-    assert!(written.errors.ends_with("wrote w\\u{1b}[31m.obj\n"), "{written:?}");
+    assert!(written.errors.contains("\nwrote w\\u{1b}[31m.obj\n"), "{written:?}");
 }
 
 #[test]

@@ -321,7 +321,10 @@ fn the_first_row_is_what_mesh_makes_or_names() {
     let run = mindeg(["mesh", text(&file), "-o", text(&out), "--json"]);
     let told = mindeg(["mesh", text(&file), "-o", text(&out)]).errors;
     let hint = "hint: a search that takes longer may give a larger angle at this degree:\n";
-    let (_, rest) = told.split_once(hint).unwrap_or_else(|| panic!("{told}"));
+    let (before, rest) = told.split_once(hint).unwrap_or_else(|| panic!("{told}"));
+    // The answer does not wait for what to do next, nor does who reads JSON.
+    assert!(before.contains("\nwrote "), "{told}");
+    assert!(run.errors.contains("\nwrote ") && !run.errors.contains("hint"), "{run:?}");
     let line = rest.lines().next().expect("a command");
     assert!(line.starts_with("mindeg mesh ") && line.ends_with(" --optimize angle"), "{line}");
     let words = ["mesh", text(&file), "-o", text(&out), "--optimize", "angle", "--json"];

@@ -101,7 +101,7 @@ fn time_shows_while_methods_are_compared() {
 
 #[test]
 fn no_bar_shows_where_none_is_wanted() {
-    let short = "\"$MINDEG\" mesh --rectangle 4x3 --size 0.01 -o /dev/null --format obj";
+    let short = "\"$MINDEG\" mesh --rectangle 4x3 --size 0.1 -o /dev/null --format obj";
     let runs = [
         // No terminal.
         (SLOW.replace("QUIET", ""), false),
