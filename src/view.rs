@@ -5,7 +5,7 @@ use crate::bar::Bar;
 use crate::domain::{Parts, Subject, from_options, in_file};
 use crate::failure::Failure;
 use crate::interrupt::{SESSION, clean_up_on_interrupt};
-use crate::making::{WithFiles, wrote};
+use crate::making::{WithFiles, advised, wrote};
 use crate::mesh::model::{bad, divided};
 use crate::mesh::{WITHOUT_CONSTRAINTS, unsolved};
 use crate::provenance::{mesh_command, provenance};
@@ -38,7 +38,7 @@ pub(crate) fn run(arguments: &ViewArguments) -> Result<(), Failure> {
     let mut outputs = Outputs::new(&SESSION);
     // Refuse outputs that cannot be written before the work, which can take minutes.
     let out = outputs.open(output)?;
-    let ((mesh, limits), what, hints) = match (subject, &arguments.file) {
+    let ((mesh, limits), what, advised_on) = match (subject, &arguments.file) {
         (Subject::Mesh(mesh), Some(path)) => {
             refuse_for_mesh(path, arguments)?;
             ((*mesh, KnownLimits::default()), path.display().to_string(), None)
@@ -54,9 +54,10 @@ pub(crate) fn run(arguments: &ViewArguments) -> Result<(), Failure> {
             let is_told = arguments.interior
                 || !arguments.goal.is_empty()
                 || arguments.quiet
-                || is_standard_output(output);
-            let hints = (!is_told && !has_interior(&parts)).then(|| hints(&parts, arguments));
-            (made, parts.name_in_text(), hints)
+                || arguments.json
+                || is_standard_output(output)
+                || has_interior(&parts);
+            (made, parts.name_in_text(), (!is_told).then_some(parts))
         }
     };
     let made_by = provenance(arguments.file.as_deref());
@@ -66,7 +67,6 @@ pub(crate) fn run(arguments: &ViewArguments) -> Result<(), Failure> {
     outputs.finish()?;
     drop(bar);
     if !arguments.quiet && !is_standard_output(output) {
-        hints.iter().for_each(|hints| say(hints));
         say(&wrote(&[output.display().to_string()]).unwrap_or_default());
     }
     if arguments.json {
@@ -74,6 +74,9 @@ pub(crate) fn run(arguments: &ViewArguments) -> Result<(), Failure> {
         let files = vec![output.display().to_string()];
         let summary = ShownMesh { mesh: ListedMesh::of(file, &mesh), limits };
         print_json(&WithFiles { summary, files })?;
+    }
+    if let Some(parts) = advised_on {
+        say(&advised(|| hints(&parts, arguments)));
     }
     Ok(())
 }
