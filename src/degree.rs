@@ -5,15 +5,14 @@ use crate::bar::Bar;
 use crate::domain::{Counted, Parts, Subject, counted};
 use crate::failure::Failure;
 use crate::interrupt::{SESSION, clean_up_on_interrupt};
-use crate::making::advised;
+use crate::making::advice_on;
 use crate::mesh::model;
 use crate::provenance::mesh_command;
 use crate::standard_output::{print, print_json};
 use mindeg::beside::each;
 use mindeg::changes::own_boundary;
 use mindeg::model::mesh_model;
-use mindeg::{Domain, Goal, Interior, MeshError, Model, Progress};
-use mindeg_answers::advice::Advice;
+use mindeg::{Domain, Goal, Interior, MeshError, Model};
 use mindeg_answers::degree::{DegreeBeside, DegreeReport};
 use mindeg_answers::limit::Lifting;
 use mindeg_answers::model::ModelAnswer;
@@ -165,6 +164,5 @@ fn fewer(report: &DegreeReport) -> Option<String> {
 /// Prints which meshes to take of the parts of a domain, which are called as `whole` is; that can take longer to find than the degree.
 fn print_advice(parts: &[Domain], whole: &Domain, file: Option<&Path>) -> Result<(), Failure> {
     // A domain without a mesh says so when it is meshed.
-    let advice = advised(|| Advice::for_hint(parts, Progress::NONE));
-    print(&(advice.hints(&mesh_command(whole, file)) + "\n"))
+    print(&(advice_on(parts).hints(&mesh_command(whole, file)) + "\n"))
 }

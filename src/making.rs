@@ -7,7 +7,8 @@ use crate::failure::Failure;
 use crate::interrupt::{SESSION, clean_up_on_interrupt};
 use crate::standard_output::print_json;
 use crate::terminal::say;
-use mindeg::{Positions, Progress, Projection, TriMesh};
+use mindeg::{Domain, Positions, Progress, Projection, TriMesh};
+use mindeg_answers::advice::Advice;
 use mindeg_answers::loops::not_in_the_mesh;
 use mindeg_files::{Format, Input, Targets};
 use mindeg_mesh::{Mesh, Triangles};
@@ -211,16 +212,17 @@ impl Made {
     ) -> Result<(), Failure> {
         let is_read = !self.quiet && !self.json;
         self.say(text, summary)?;
-        if is_read && let Some(advice) = advised(advice) {
+        if is_read && let Some(advice) = advice() {
             say(&advice);
         }
         Ok(())
     }
 }
 
-/// The advice, with a bar while it takes its time.
-pub(crate) fn advised<T>(advice: impl FnOnce() -> T) -> T {
-    Bar::new(false).waiting("measuring other meshes", advice)
+/// Which meshes to take of the parts of a domain, with a bar while they are made.
+pub(crate) fn advice_on(parts: &[Domain]) -> Advice {
+    let bar = Bar::new(false);
+    bar.waiting("measuring other meshes", || Advice::for_hint(parts, Progress::NONE))
 }
 
 /// A summary and the files that were written.

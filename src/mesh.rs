@@ -12,11 +12,11 @@ use crate::condition::refuse_degrees;
 use crate::demands::{met_or_written_anyway, unmet_by_boundary_mesh};
 use crate::domain::{Parts, Subject, name, subject};
 use crate::failure::Failure;
-use crate::making::Making;
+use crate::making::{Making, advice_on};
 use crate::provenance::mesh_command_again;
 use mindeg::MeshError;
 use mindeg::{Domain, FoundBy, Goal, Meshed, Progress};
-use mindeg_answers::advice::{Advice, Purpose};
+use mindeg_answers::advice::Purpose;
 use mindeg_answers::mesh::{self as words, MeshAnswer};
 use mindeg_exact::{MAX_VERTICES, Unsolved};
 use mindeg_files::{Format, Wanted, is_domain_name, is_mesh_name};
@@ -137,11 +137,7 @@ fn mesh_of(domain: &Domain, arguments: &MeshArguments, output: &[PathBuf]) -> Re
     let advice = || {
         // Of polygons that are meshed one by one, each would have its own.
         let is_told = !arguments.goal.is_empty() || arguments.separate;
-        if is_told {
-            None
-        } else {
-            Some(Advice::for_hint(std::slice::from_ref(domain), Progress::NONE))
-        }
+        (!is_told).then(|| advice_on(std::slice::from_ref(domain)))
     };
     let hints = || {
         let file = arguments.domain.file.as_deref();

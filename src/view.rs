@@ -5,7 +5,7 @@ use crate::bar::Bar;
 use crate::domain::{Parts, Subject, from_options, in_file};
 use crate::failure::Failure;
 use crate::interrupt::{SESSION, clean_up_on_interrupt};
-use crate::making::{WithFiles, advised, wrote};
+use crate::making::{WithFiles, advice_on, wrote};
 use crate::mesh::model::{bad, divided};
 use crate::mesh::{WITHOUT_CONSTRAINTS, unsolved};
 use crate::provenance::{mesh_command, provenance};
@@ -13,8 +13,8 @@ use crate::standard_output::print_json;
 use crate::terminal::say;
 use mindeg::beside::mesh_all;
 use mindeg::model::{fill_model, mesh_model};
-use mindeg::{GoalKind, Interior, Model, Progress, interior};
-use mindeg_answers::advice::{Advice, Purpose};
+use mindeg::{GoalKind, Interior, Model, interior};
+use mindeg_answers::advice::Purpose;
 use mindeg_answers::mesh::{KnownLimits, ListedMesh, ShownMesh};
 use mindeg_compare::write_view;
 use mindeg_files::{Outputs, Wanted, is_standard_output, write_to};
@@ -76,7 +76,8 @@ pub(crate) fn run(arguments: &ViewArguments) -> Result<(), Failure> {
         print_json(&WithFiles { summary, files })?;
     }
     if let Some(parts) = advised_on {
-        say(&advised(|| hints(&parts, arguments)));
+        let command = mesh_command(&parts.whole(), arguments.file.as_deref());
+        say(&advice_on(&parts.domains).hints(&command));
     }
     Ok(())
 }
@@ -130,12 +131,6 @@ fn mesh_of_model(
 /// Whether the file of a domain asks for points inside.
 fn has_interior(parts: &Parts) -> bool {
     parts.domains[0].interior().is_some()
-}
-
-/// The meshes to take of a domain that is shown by its mesh of least degree.
-fn hints(parts: &Parts, arguments: &ViewArguments) -> String {
-    let command = mesh_command(&parts.whole(), arguments.file.as_deref());
-    Advice::for_hint(&parts.domains, Progress::NONE).hints(&command)
 }
 
 /// The mesh of a domain, or of all parts of one, as a list.

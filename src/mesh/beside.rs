@@ -5,11 +5,9 @@ use crate::args::MeshArguments;
 use crate::demands::met_or_written_anyway;
 use crate::domain::Parts;
 use crate::failure::Failure;
-use crate::making::Making;
+use crate::making::{Making, advice_on};
 use crate::provenance::mesh_command_again;
-use mindeg::Progress;
 use mindeg::beside::mesh_all;
-use mindeg_answers::advice::Advice;
 use mindeg_answers::mesh::{MeshBesideAnswer, mesh_beside};
 
 /// Meshes all parts into the same files.
@@ -35,9 +33,8 @@ pub(super) fn run(parts: &Parts, arguments: &MeshArguments) -> Result<(), Failur
     let end = met_or_written_anyway(&unmet, arguments.interior.wanted.write_anyway)?;
     let made = making.write(&found.mesh)?;
     let hints = || {
-        let advice = || Advice::for_hint(&parts.domains, Progress::NONE);
         let command = mesh_command_again(&parts.whole(), arguments.domain.file.as_deref());
-        arguments.goal.is_empty().then(|| advice().hints(&command))
+        arguments.goal.is_empty().then(|| advice_on(&parts.domains).hints(&command))
     };
     made.say_and_advise(|| mesh_beside(&found, &answer, goal).join("\n"), hints, || &answer)?;
     end

@@ -45,15 +45,12 @@ class Coast:
         rings = [outer, *domain.get("holes", []), *domain.get("lines", [])]
         self.rings = [np.array(list(ring(each["corners"], each["sides"]))) for each in rings]
         index = {}
-        self.own = [np.array([index.setdefault(tuple(point), len(index)) for point in ring]) for ring in self.rings]
+        # The indices of the points of each ring.
+        self.loops = [np.array([index.setdefault(tuple(point), len(index)) for point in ring]) for ring in self.rings]
         self.points = np.array(list(index))
 
-    def loops(self):
-        """The indices of the points of each ring."""
-        return self.own
-
     def segments(self):
-        return np.concatenate([np.stack([loop, np.roll(loop, -1)], axis=1) for loop in self.loops()])
+        return np.concatenate([np.stack([loop, np.roll(loop, -1)], axis=1) for loop in self.loops])
 
     def take_sizes(self, points, triangles):
         """The mean length of the edges at each vertex of a mesh, between them linear."""
@@ -76,7 +73,7 @@ class Coast:
     def lengths(self):
         """The mean length of the two edges at each point of the boundary."""
         found = np.zeros(len(self.points))
-        for loop, ring in zip(self.own, self.rings):
+        for loop, ring in zip(self.loops, self.rings):
             after = np.linalg.norm(np.roll(ring, -1, axis=0) - ring, axis=1)
             found[loop] = (after + np.roll(after, 1)) / 2
         return found
@@ -141,7 +138,7 @@ def frontal(smoothings, optimisations=(), has_field=True):
             lengths = coast.lengths()
             for index, (x, y) in enumerate(coast.points.tolist()):
                 geo.addPoint(x, y, 0, lengths[index], index + 1)
-            loops = [[geo.addLine(a + 1, b + 1) for a, b in zip(loop, np.roll(loop, -1))] for loop in coast.loops()]
+            loops = [[geo.addLine(a + 1, b + 1) for a, b in zip(loop, np.roll(loop, -1))] for loop in coast.loops]
             geo.addPlaneSurface([geo.addCurveLoop(loop) for loop in loops])
             geo.synchronize()
             for line in sum(loops, []):
