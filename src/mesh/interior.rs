@@ -3,6 +3,7 @@
 use super::features::SEPARATE;
 use super::ocean::{Ocean, by_depth, with_depths};
 use crate::args::MeshArguments;
+use crate::bar::Bar;
 use crate::condition::drawn;
 use crate::demands::met_or_written_anyway;
 use crate::domain::describe::write_texts;
@@ -170,7 +171,8 @@ fn boundary_hint(
     if arguments.condition.is_some() || !is_tight && !is_low {
         return None;
     }
-    match with_points_on_edges(domains, wanted, &arguments.change.keep)?.1 {
+    let put = || with_points_on_edges(domains, wanted, &arguments.change.keep);
+    match Bar::new(false).waiting("counting points on edges", put)?.1 {
         0 => is_low.then(|| {
             "hint: points on edges lift no limit here; --condition --within LENGTH may move the boundary, too, and tells each \
              change."
@@ -241,11 +243,11 @@ pub(super) fn run(
             .chain(summary.ocean.words())
             .chain(domain.notes())
             .chain(more_on_request(&found.report, wanted.target_angle))
-            .chain(boundary_hint(arguments, &domains, wanted, &found))
             .collect::<Vec<_>>()
             .join("\n")
     };
-    made.say(said, || &summary)?;
+    let advice = || boundary_hint(arguments, &domains, wanted, &found);
+    made.say_and_advise(said, advice, || &summary)?;
     end
 }
 
@@ -304,11 +306,11 @@ pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Res
             .into_iter()
             .chain([text(&title(), &found, &lifting, &summary)])
             .chain(summary.ocean.words())
-            .chain(boundary_hint(arguments, &domains, &wanted, &found))
             .collect::<Vec<_>>()
             .join("\n")
     };
-    made.say(said, || &summary)?;
+    let advice = || boundary_hint(arguments, &domains, &wanted, &found);
+    made.say_and_advise(said, advice, || &summary)?;
     end
 }
 

@@ -38,11 +38,14 @@ impl<'a> Whole<'a> {
         boundary: &'a PlanarBoundary,
         triangles: &'a [[u32; 3]],
     ) -> Self {
+        Self::of(chains.ring_order().concat(), boundary, triangles)
+    }
+
+    fn of(vertices: Vec<u32>, boundary: &'a PlanarBoundary, triangles: &'a [[u32; 3]]) -> Self {
         let edges = (0..).zip(triangles).flat_map(|(index, corners)| {
             edges_of(*corners).into_iter().map(move |edge| (edge, index))
         });
         let lines = boundary.segments().iter().map(|[a, b]| [*a.min(b), *a.max(b)]);
-        let vertices = chains.ring_order().concat();
         Self {
             boundary,
             triangles,
@@ -65,6 +68,11 @@ impl<'a> Whole<'a> {
     /// The triangle beyond an edge of another one, unless a line is between them.
     fn beyond(&self, [a, b]: [u32; 2]) -> Option<usize> {
         self.left.get(&[b, a]).copied().filter(|_| !self.is_line([a, b]))
+    }
+
+    /// All triangles at a vertex.
+    fn fan(&self, vertex: u32) -> impl Iterator<Item = usize> {
+        self.left.range([vertex, 0]..=[vertex, u32::MAX]).map(|(_, triangle)| *triangle)
     }
 
     /// The surroundings of shores; none if that is not a domain.
@@ -107,9 +115,7 @@ impl Cut<'_> {
 
     /// Takes all triangles at a vertex.
     fn take_fan(&mut self, vertex: u32) {
-        let whole = self.whole;
-        let from = whole.left.range([vertex, 0]..=[vertex, u32::MAX]);
-        from.for_each(|(_, triangle)| self.take(*triangle));
+        self.whole.fan(vertex).for_each(|triangle| self.take(triangle));
     }
 
     /// The edges with no triangle of the cut beyond them, as rings, with the domain on the left; none if they touch each other.
@@ -130,11 +136,11 @@ impl Cut<'_> {
             if touching.is_empty() {
                 break next;
             }
-            let before = self.triangles.len();
-            touching.into_iter().for_each(|vertex| self.take_fan(vertex));
-            if self.triangles.len() == before {
+            // Where all are taken a line ends or goes through, and stays two edges of the rim, whatever else is taken.
+            if touching.iter().any(|v| self.whole.fan(*v).all(|t| self.triangles.contains(&t))) {
                 return None;
             }
+            touching.into_iter().for_each(|vertex| self.take_fan(vertex));
         };
         let mut seen: BTreeSet<u32> = BTreeSet::new();
         let mut rings: Vec<Vec<u32>> = Vec::new();
@@ -330,5 +336,33 @@ fn divided([a, b]: [DVec2; 2], [at_a, at_b]: [f64; 2], put: &mut impl FnMut(DVec
         divided([a, middle], [at_a, wanted], put);
         put(middle);
         divided([middle, b], [wanted, at_b], put);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Counties of a map: the search went along all their borders, for each narrow place.
+    #[test]
+    fn surroundings_with_a_line_inside_end_where_it_is_met() {
+        const LENGTH: u32 = 40;
+        let at = |x: u32, y: f64| DVec2::new(f64::from(x), y);
+        let bottom = (0..=LENGTH).map(|x| at(x, 0.0));
+        let ring: Vec<DVec2> = bottom.chain((0..=LENGTH).rev().map(|x| at(x, 2.0))).collect();
+        let first = ring.len() as u32;
+        let inner: Vec<DVec2> = (1..LENGTH).map(|x| at(x, 1.0)).collect();
+        let line: Vec<u32> = (first..).take(inner.len()).collect();
+        let (boundary, _) = PlanarBoundary::map(&[ring], &inner, &[line]).unwrap();
+        let (inner, lines) = (boundary.inner_points(), boundary.segments());
+        let triangles =
+            mindeg_delaunay::triangles(&boundary, inner, lines, Progress::NONE).unwrap();
+        let whole = Whole::of((0..first).collect(), &boundary, &triangles);
+        let mut cut = Cut { whole: &whole, triangles: BTreeSet::new(), queue: Vec::new() };
+        // The fan of one vertex of the line ends at the next ones on both sides.
+        cut.take_fan(first + LENGTH / 2);
+        let fan = cut.triangles.len();
+        assert!(cut.rings().is_none());
+        assert!(cut.triangles.len() <= 3 * fan, "{} of {fan}", cut.triangles.len());
     }
 }
