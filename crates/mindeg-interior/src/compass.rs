@@ -38,19 +38,19 @@ fn descend<S: Manifold>(
     let directions = &COMPASS[..if every == 2 { 4 } else { 8 }];
     let reach = ring.reach(start);
     let mut step = first * reach;
+    // How many directions in a row led nowhere better: once these are all, steps get shorter.
+    let (mut in_vain, all) = (0, directions.len() / every);
     while step > finest * reach {
-        let mut found = false;
         for direction in directions.iter().step_by(every) {
-            let Some(place) = S::moved(mesh, vertex, &x, &frame, DVec2::from(*direction) * step)
-            else {
-                continue;
-            };
-            if is_better(S::position(&place)) {
-                (x, found) = (place, true);
+            let by = DVec2::from(*direction) * step;
+            match S::moved(mesh, vertex, &x, &frame, by) {
+                Some(place) if is_better(S::position(&place)) => (x, in_vain) = (place, 0),
+                _ => in_vain += 1,
             }
-        }
-        if !found {
-            step /= 2.0;
+            if in_vain == all {
+                (step, in_vain) = (step / 2.0, 0);
+                break;
+            }
         }
     }
     x
