@@ -77,7 +77,8 @@ impl Chains {
             let (inner, lines) = (boundary.inner_points(), boundary.segments());
             let triangles = mindeg_delaunay::triangles(&boundary, inner, lines, Progress::NONE)
                 .map_err(|error| ConditionError::Narrow(error.to_string()))?;
-            let small = self.small(&Whole::new(self, &boundary, &triangles), demands);
+            let whole = Whole::new(self.ring_order().concat(), &boundary, &triangles);
+            let small = self.small(&whole, demands);
             if !is_changed || small.is_empty() || round == rounds {
                 let left = |place: &Place| Left {
                     at: self.at(place.shores[0][place.shores[0].len() / 2]),

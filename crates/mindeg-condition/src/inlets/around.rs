@@ -33,19 +33,16 @@ pub(super) struct Whole<'a> {
 }
 
 impl<'a> Whole<'a> {
+    /// `vertices`: the chains' vertex of each of the rings.
     pub(super) fn new(
-        chains: &Chains,
+        vertices: Vec<u32>,
         boundary: &'a PlanarBoundary,
         triangles: &'a [[u32; 3]],
     ) -> Self {
-        Self::of(chains.ring_order().concat(), boundary, triangles)
-    }
-
-    fn of(vertices: Vec<u32>, boundary: &'a PlanarBoundary, triangles: &'a [[u32; 3]]) -> Self {
         let edges = (0..).zip(triangles).flat_map(|(index, corners)| {
             edges_of(*corners).into_iter().map(move |edge| (edge, index))
         });
-        let lines = boundary.segments().iter().map(|[a, b]| [*a.min(b), *a.max(b)]);
+        let lines = boundary.segments().iter().copied().map(sorted);
         Self {
             boundary,
             triangles,
@@ -357,7 +354,7 @@ mod tests {
         let (inner, lines) = (boundary.inner_points(), boundary.segments());
         let triangles =
             mindeg_delaunay::triangles(&boundary, inner, lines, Progress::NONE).unwrap();
-        let whole = Whole::of((0..first).collect(), &boundary, &triangles);
+        let whole = Whole::new((0..first).collect(), &boundary, &triangles);
         let mut cut = Cut { whole: &whole, triangles: BTreeSet::new(), queue: Vec::new() };
         // The fan of one vertex of the line ends at the next ones on both sides.
         cut.take_fan(first + LENGTH / 2);
