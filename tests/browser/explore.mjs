@@ -7,7 +7,7 @@ import { mkdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "nod
 import { join, resolve } from "node:path";
 import { chromium } from "playwright-core";
 import { answered, cornerPlaces, explore } from "./explore-server.mjs";
-import { run, test } from "./harness.mjs";
+import { run, seriousFaults, test } from "./harness.mjs";
 
 const [binary, domains, executablePath] = process.argv.slice(2);
 const work = resolve("explored");
@@ -17,7 +17,6 @@ mkdirSync(work);
 const bundled = (name) => join(domains, `${name}.json`);
 const mindeg = (...args) => spawnSync(binary, args, { cwd: work, encoding: "utf8" });
 
-const axe = readFileSync("node_modules/axe-core/axe.min.js", "utf8");
 const browser = await chromium.launch({ executablePath, args: ["--no-sandbox"] });
 const server = await explore(binary, bundled("boundary-layer-channel"));
 const origin = new URL(server.address).origin;
@@ -406,11 +405,9 @@ test("a wrong number is told beside its field until it is right", async () => {
     await page.waitForFunction(() => !/Working/.test(document.querySelector("#condition-words").textContent));
     assert.equal(await wrong(name), "", name);
   }
-  await page.evaluate(axe);
   await field("#condition-angle").fill("");
   await page.click("#condition");
-  const { violations } = await page.evaluate(() => window.axe.run());
-  assert.deepEqual(violations.filter(({ impact }) => ["serious", "critical"].includes(impact)).map(({ id }) => id), []);
+  assert.deepEqual(await seriousFaults(page), []);
   await page.context().close();
 });
 
@@ -1485,10 +1482,7 @@ test("axe finds nothing serious and nothing is cut off, on any screen, light and
       await show();
       await page.waitForTimeout(300);
       assert.equal(await page.evaluate(() => document.scrollingElement.scrollWidth), width, `${name} at ${width} pixels`);
-      await page.evaluate(axe);
-      const { violations } = await page.evaluate(() => window.axe.run());
-      const serious = violations.filter(({ impact }) => ["serious", "critical"].includes(impact));
-      assert.deepEqual(serious.map(({ id, nodes }) => `${id}: ${nodes[0].html}`), [], `${name} at ${width} pixels, ${colorScheme}`);
+      assert.deepEqual(await seriousFaults(page), [], `${name} at ${width} pixels, ${colorScheme}`);
     }
     await page.screenshot({ path: join(work, `${width}-${colorScheme}.png`), fullPage: true });
     await page.context().close();
