@@ -30,6 +30,9 @@ impl Chains {
             let long = self.long_edges(fresh.drain(..), demands);
             for (vertex, why) in long {
                 let at = self.at(vertex).midpoint(self.at(self.next(vertex)));
+                if !self.is_insert_free(vertex, at) {
+                    continue;
+                }
                 let new = self.insert(vertex, at);
                 let (kind, edge) =
                     (ChangeKind::Inserted, self.vertices[vertex as usize].point.edge);
@@ -44,6 +47,14 @@ impl Chains {
             }
         }
         Ok(())
+    }
+
+    /// Whether a point may be put on the edge that begins at a vertex: rounded it is hardly on the line, and a vertex that nearly
+    /// touches the edge may be between.
+    pub(crate) fn is_insert_free(&self, vertex: u32, at: DVec2) -> bool {
+        let [a, b] = [vertex, self.next(vertex)];
+        let places = [a, a, b].map(|v| self.place(v));
+        self.is_free([self.at(a), at, self.at(b)], places)
     }
 
     /// The edges that are to be divided, each with the first reason: those at some vertices that are too long, those of straits, and

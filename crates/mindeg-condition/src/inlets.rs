@@ -374,7 +374,8 @@ impl Chains {
     fn is_safe(&self, step: Step) -> bool {
         match step {
             Step::Shift { vertex, to } => self.is_shift_free(vertex, to),
-            Step::Drop { .. } | Step::Insert { .. } => true,
+            Step::Drop { .. } => true,
+            Step::Insert { edge, at } => self.is_insert_free(edge, at),
         }
     }
 }

@@ -8,7 +8,7 @@ use mindeg_condition::{
 };
 use mindeg_interior::limits::fan_limit;
 use mindeg_interior::{Options, generate};
-use mindeg_mesh::planar::PlanarBoundary;
+use mindeg_mesh::planar::{PlanarBoundary, orientation};
 use mindeg_mesh::{Progress, Random};
 
 fn ring(points: &[[f64; 2]]) -> Vec<DVec2> {
@@ -578,6 +578,30 @@ fn demands_out_of_range_are_refused() {
     for demands in bad {
         assert!(condition(&boundary, &demands, |_| Hold::Free).is_err(), "{demands:?}");
     }
+}
+
+/// Found with a map of Alaska: the middle of an edge is rounded, and a corner was between it and the edge.
+#[test]
+fn an_edge_that_a_corner_nearly_touches_stays_whole() {
+    let mut cases = 0;
+    for step in 0..200 {
+        let a = DVec2::new(480_000.1, 410_000.3);
+        let b = a + DVec2::new(100.0 + 0.37 * f64::from(step), 31.0 + 0.11 * f64::from(step));
+        let [along, middle] = [a.lerp(b, 0.4), a.midpoint(b)];
+        let near = [-1.0, 0.0, 1.0, 2.0].map(|ulps| along + DVec2::Y * ulps * 2_f64.powi(-34));
+        let is_between =
+            |at: &DVec2| orientation(a, b, *at) > 0.0 && orientation(a, middle, *at) <= 0.0;
+        for at in near.into_iter().filter(is_between) {
+            cases += 1;
+            let top = a.y + 300.0;
+            let outer = vec![a, b, DVec2::new(b.x, top), DVec2::new(a.x, top)];
+            let hole = vec![at, at + DVec2::new(-10.0, 90.0), at + DVec2::new(10.0, 90.0)];
+            let demands = BoundaryDemands { size: Some(20.0), ..BoundaryDemands::default() };
+            let found = conditioned(&[outer, hole], &demands);
+            assert!(found.rings.concat().len() > 40, "{}", found.rings.concat().len());
+        }
+    }
+    assert!(cases > 10, "{cases}");
 }
 
 /// A square whose middle line has a step that is too short.
