@@ -190,13 +190,22 @@ impl Projection {
                 format!("UTM zone {zone} {}", if is_south { "south" } else { "north" })
             }
             Kind::Stereographic { center, .. } => {
-                format!("a stereographic projection about {}° E, {}° N", center.x, center.y)
+                format!("a stereographic projection about {}", place(center))
             }
             Kind::EqualArea { center, .. } => {
-                format!("Lambert's equal-area projection about {}° E, {}° N", center.x, center.y)
+                format!("Lambert's equal-area projection about {}", place(center))
             }
         }
     }
+}
+
+/// A place in degrees, for people: "158° W, 61° N".
+fn place(degrees: DVec2) -> String {
+    let [east, north] = [("E", "W"), ("N", "S")];
+    let of = |value: f64, (plus, minus)| {
+        format!("{}° {}", value.abs(), if value < 0.0 { minus } else { plus })
+    };
+    format!("{}, {}", of(degrees.x, east), of(degrees.y, north))
 }
 
 /// The longitude of a UTM zone's middle meridian.

@@ -11,6 +11,7 @@
 pub(super) mod crossings;
 pub(super) mod edge;
 pub(super) mod faces;
+pub(super) mod near;
 
 use glam::DVec2;
 use mindeg_mesh::planar::orientation;

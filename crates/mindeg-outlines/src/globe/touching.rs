@@ -1,4 +1,4 @@
-//! Points of degrees on edges along meridians and parallels, such as those of an island on the sides of a box.
+//! Points of degrees on edges of others, such as those of an island on the sides of a box.
 //!
 //! In the plane such an edge bends, and the point would lie beside it. So the edge gets the point before it is projected.
 
@@ -7,64 +7,67 @@ use std::collections::BTreeMap;
 use glam::DVec2;
 
 use super::box_sides::BoxSides;
-use crate::outline::Piece;
+use crate::outline::{DrawnRing, Piece};
+use crate::overlay::edge::Edge;
+use crate::overlay::near::near_vertices;
+use crate::vertices::Vertices;
 
-/// All points by their meridians and by their parallels, in order.
+/// Points nearer to an edge, in degrees, are on it: rounding, a hundredth of a thousandth of a millimetre.
+const ROUNDING: f64 = 1e-13;
+
+/// The points that lie on edges of rings.
 pub(super) struct Touching {
-    /// For the axis along which they are told apart: by the other coordinate.
-    along: [BTreeMap<u64, Vec<DVec2>>; 2],
-}
-
-/// The bits of a coordinate; 0 has one sign.
-fn bits(coordinate: f64) -> u64 {
-    (coordinate + 0.0).to_bits()
+    /// By the edge, counted over all rings, in their order along it.
+    on: BTreeMap<usize, Vec<DVec2>>,
+    /// How many edges have been asked for.
+    asked: usize,
 }
 
 impl Touching {
-    pub(super) fn of(sides: &BoxSides, points: impl Iterator<Item = DVec2>) -> Self {
-        let mut along: [BTreeMap<u64, Vec<DVec2>>; 2] = Default::default();
-        for point in points {
-            let at = sides.place(point);
-            for (axis, lines) in along.iter_mut().enumerate() {
-                lines.entry(bits(at[1 - axis])).or_default().push(point);
+    pub(super) fn of<'a>(sides: &BoxSides, rings: impl Iterator<Item = &'a DrawnRing>) -> Self {
+        let mut vertices = Vertices::new(DVec2::ZERO, ROUNDING);
+        let mut degrees: Vec<DVec2> = Vec::new();
+        let mut edges: Vec<Edge> = Vec::new();
+        for ring in rings {
+            let mut index = |piece: &Piece| {
+                let index = vertices.index_near(sides.place(piece.start));
+                if index as usize == degrees.len() {
+                    degrees.push(piece.start);
+                }
+                index
+            };
+            let own: Vec<u32> = ring.pieces.iter().map(&mut index).collect();
+            for (from, to) in own.iter().zip(own.iter().cycle().skip(1)) {
+                edges.push(Edge { ends: [*from, *to], chord: 0 });
             }
         }
-        for (axis, lines) in along.iter_mut().enumerate() {
-            for points in lines.values_mut() {
-                let place = |point: &DVec2| sides.place(*point)[axis];
-                points.sort_by(|a, b| place(a).total_cmp(&place(b)));
-                points.dedup_by(|a, b| place(a) == place(b));
+        for edge in &mut edges {
+            let [from, to] = edge.ends.map(|end| vertices.points[end as usize]);
+            // The short way round is past the end of the plane.
+            if (from.x - to.x).abs() >= 180.0 {
+                edge.ends[1] = edge.ends[0];
             }
         }
-        Self { along }
+        let near = near_vertices(&edges, &vertices.points, ROUNDING);
+        let in_order = |(edge, mut near): (usize, Vec<u32>)| {
+            let start = vertices.points[edges[edge].ends[0] as usize];
+            near.sort_by(|a, b| {
+                let [a, b] = [a, b].map(|v| vertices.points[*v as usize].distance_squared(start));
+                a.total_cmp(&b)
+            });
+            (edge, near.into_iter().map(|vertex| degrees[vertex as usize]).collect())
+        };
+        Self { on: near.into_iter().map(in_order).collect(), asked: 0 }
     }
 
-    /// A ring whose edges along meridians and parallels have the points that lie on them.
-    pub(super) fn noded(&self, sides: &BoxSides, pieces: &[Piece]) -> Vec<Piece> {
+    /// The next ring, with the points that lie on its edges.
+    pub(super) fn noded(&mut self, pieces: &[Piece]) -> Vec<Piece> {
         let mut noded = Vec::with_capacity(pieces.len());
-        for (index, piece) in pieces.iter().enumerate() {
+        for piece in pieces {
             noded.push(piece.clone());
-            let ends = [piece.start, pieces[(index + 1) % pieces.len()].start];
-            let [from, to] = ends.map(|end| sides.place(end));
-            for axis in [0, 1] {
-                // The short way round.
-                let is_along =
-                    from[1 - axis] == to[1 - axis] && (from[axis] - to[axis]).abs() < 180.0;
-                let line = self.along[axis].get(&bits(from[1 - axis])).filter(|_| is_along);
-                let Some(line) = line else { continue };
-                let [low, high] = [from[axis].min(to[axis]), from[axis].max(to[axis])];
-                let place = |point: &DVec2| sides.place(*point)[axis];
-                let first = line.partition_point(|point| place(point) <= low);
-                let last = line.partition_point(|point| place(point) < high).max(first);
-                let mut between = line[first..last].to_vec();
-                if from[axis] > to[axis] {
-                    between.reverse();
-                }
-                let side = &piece.side;
-                noded.extend(
-                    between.into_iter().map(|at| Piece { side: side.clone(), ..Piece::line(at) }),
-                );
-            }
+            let on = self.on.get(&self.asked).into_iter().flatten();
+            noded.extend(on.map(|at| Piece { side: piece.side.clone(), ..Piece::line(*at) }));
+            self.asked += 1;
         }
         noded
     }

@@ -16,6 +16,7 @@ use crate::outline::{Feature, FillRule, Outlines};
 use crate::overlay::crossings::{Meetings, parted, with_vertices};
 use crate::overlay::edge::{Edge, Layer, points_of};
 use crate::overlay::faces::{Graph, links};
+use crate::overlay::near::near_vertices;
 use crate::overlay::{chords, ring, rounding, turns_left};
 use crate::text::{counted, shown};
 use crate::vertices::Vertices;
@@ -216,6 +217,9 @@ fn noded(
     for _ in 0..ROUNDS {
         let near = near_vertices(&edges, &vertices.points, done.tolerance);
         let is_far = near.is_empty();
+        let at = |vertex: u32| vertices.points[vertex as usize];
+        let near = near.into_iter().map(|(edge, near)| (edge, near.into_iter().map(at).collect()));
+        let near: Meetings = near.collect();
         edges = with_vertices(edges, near, vertices, &mut done.added);
         let (next, added) = parted(edges, vertices)?;
         edges = next;
@@ -225,33 +229,4 @@ fn noded(
         }
     }
     Ok(edges)
-}
-
-/// For each edge the vertices that it passes within the tolerance.
-fn near_vertices(edges: &[Edge], points: &[DVec2], tolerance: f64) -> Meetings {
-    let mut order: Vec<u32> = (0..points.len() as u32).collect();
-    order.sort_by(|&a, &b| points[a as usize].x.total_cmp(&points[b as usize].x));
-    let mut near = Meetings::new();
-    for (index, edge) in edges.iter().enumerate() {
-        let [a, b] = edge.ends.map(|end| points[end as usize]);
-        let (low, high) = (a.min(b) - tolerance, a.max(b) + tolerance);
-        let from = order.partition_point(|&vertex| points[vertex as usize].x < low.x);
-        let span = b - a;
-        let length = norm(span);
-        for &vertex in &order[from..] {
-            let at = points[vertex as usize];
-            if at.x > high.x {
-                break;
-            }
-            let is_beside = at.y >= low.y && at.y <= high.y && !edge.ends.contains(&vertex);
-            if is_beside {
-                let along = (at - a).dot(span) / length;
-                let across = span.perp_dot(at - a) / length;
-                if across.abs() <= tolerance && along > 0.0 && along < length {
-                    near.entry(index).or_default().push(at);
-                }
-            }
-        }
-    }
-    near
 }
