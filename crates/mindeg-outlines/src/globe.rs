@@ -17,10 +17,9 @@ use super::outline::{DrawnRing, Outlines, Piece};
 use super::text::counted;
 use crate::error::OutlineError;
 use box_sides::{BoxSides, NEAR, turned};
-use touching::Touching;
+use touching::node_touching;
 
-/// The line that an edge of degrees becomes in the plane stays as near as this share of the edge's length: a hundredth of
-/// what its ends, a length apart, tell of a coast.
+/// An edge of degrees gets points in the plane until their line is nowhere farther from it than this share of its length.
 const MOST_BENT: f64 = 1e-4;
 /// A given projection whose lengths are less than half of those on the ground, or more than twice, is refused: its region is another one.
 const LEAST_SCALE: f64 = 0.5;
@@ -160,10 +159,9 @@ impl Outlines {
         let [least, most] = scales.fold([f64::INFINITY, 0.0], |[least, most], it| {
             [f64::min(least, it), f64::max(most, it)]
         });
-        let mut touching = Touching::of(&sides, rings());
+        node_touching(&sides, &mut self.features);
         let mut projecting = Projecting { projection, sides, added: 0, named: 0 };
         for ring in self.features.iter_mut().flat_map(|feature| &mut feature.rings) {
-            ring.pieces = touching.noded(&ring.pieces);
             *ring = projecting.ring(ring)?;
         }
         let Projecting { added, named, .. } = projecting;
