@@ -85,13 +85,13 @@ impl Lookup {
         Self { points, reach }
     }
 
-    /// The least vertex near a point of which something holds.
+    /// The nearest vertex near a point of which something holds; of several at one place the least.
     pub(crate) fn near(&self, at: DVec2, holds: impl Fn(u32) -> bool) -> Option<u32> {
         let from = self.points.partition_point(|(point, _)| point.x < at.x - self.reach);
         let near = self.points[from..].iter().take_while(|(point, _)| point.x <= at.x + self.reach);
-        let is_near =
-            |&&(point, vertex): &&(DVec2, u32)| point.distance(at) <= self.reach && holds(vertex);
-        near.filter(is_near).map(|&(_, vertex)| vertex).min()
+        let near = near.map(|&(point, vertex)| (point.distance(at), vertex));
+        let near = near.filter(|&(distance, vertex)| distance <= self.reach && holds(vertex));
+        near.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1))).map(|(_, vertex)| vertex)
     }
 }
 

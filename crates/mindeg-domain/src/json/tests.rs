@@ -563,6 +563,18 @@ fn lines_of_clockwise_domains_keep_their_places() {
 }
 
 #[test]
+fn a_line_ends_at_the_nearest_of_several_near_points() {
+    let domain = Domain::from_json(
+        r#"{"polygon": {"corners": [[0, 0], [4, 0], [4, 2], [0, 2]]}, "sides": [
+            {"points": [[1, 0], [1.000000002, 0]]}, {"intervals": 1}, {"intervals": 1}, {"intervals": 1}],
+            "lines": [{"points": [[1.000000002, 0], [1, 1]]}]}"#,
+    )
+    .unwrap();
+    let boundary = domain.boundary().unwrap();
+    assert_eq!(boundary.point(boundary.line(0)[0][0]).to_array(), [1.000_000_002, 0.0]);
+}
+
+#[test]
 fn refuses_maps_with_the_place() {
     let of = |rest: &str| {
         let text = format!(r#"{{"rectangle": {{"width": 4, "height": 2}}, "size": 1, {rest}}}"#);
