@@ -16,7 +16,7 @@ const TOLERANCE: f64 = 2e-4;
 const MOST_BOXES: usize = 600;
 
 /// An edge limit counts if it is less than this share of the limits at the edge's ends.
-const TIGHTER: f64 = 0.995;
+pub(crate) const TIGHTER: f64 = 0.995;
 
 /// An edge with the sectors on one side of it.
 pub(crate) struct Place {
@@ -84,7 +84,7 @@ impl Place {
     }
 
     /// The limit in radians, `known` if it is not clearly less.
-    fn limit(&self, known: f64) -> f64 {
+    pub(crate) fn limit(&self, known: f64) -> f64 {
         let enough = TIGHTER * known;
         let mut reached = self.with_ear(0, known).max(self.with_ear(1, known));
         let whole = self.angles.map(|angle| [0.0, angle.min(PI)]);

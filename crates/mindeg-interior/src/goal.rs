@@ -1,6 +1,7 @@
 //! The aims for each vertex and for the mesh as a whole.
 
 use crate::breaklines::Breaklines;
+use crate::ears::ear_limits;
 use crate::edge_limits::edge_limits;
 use crate::limits::tent_limits;
 use crate::options::Options;
@@ -27,7 +28,7 @@ pub(crate) struct Goal {
     pub(crate) fan: Option<u32>,
     /// The star limit with so many, in degrees.
     pub(crate) limit: f64,
-    /// The limit of its edges, in degrees, by their tents and by the fans at both ends together, or [`MOST`]; whatever the degrees.
+    /// The limit of its edges, in degrees, by their tents, by the fans at both ends together and behind sharp corners, or [`MOST`]; whatever the degrees.
     pub(crate) tents: f64,
     /// The sine of the angle that a search at one place aims at.
     pub(crate) sine: f64,
@@ -64,8 +65,12 @@ pub(crate) fn goals(
         let fans = stars.at(vertex).iter().map(|sector| sector.limit(None));
         fans.fold(tents[vertex as usize], f64::min)
     };
-    let of_edges = edge_limits(stars, tents.len() as u32, MOST, known);
-    tents.iter_mut().zip(of_edges).for_each(|(tent, edge)| *tent = tent.min(edge));
+    let count = tents.len() as u32;
+    let of_edges = edge_limits(stars, count, MOST, known);
+    let of_ears = ear_limits(stars, count, MOST, |v| known(v).min(of_edges[v as usize]));
+    for limits in [of_edges, of_ears] {
+        tents.iter_mut().zip(limits).for_each(|(tent, own)| *tent = tent.min(own));
+    }
     let goal = |vertex| {
         let is_boundary = vertex < outline.vertex_count();
         let (least, wanted, ideal) = match is_boundary {

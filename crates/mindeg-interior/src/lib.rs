@@ -70,6 +70,7 @@ mod cells;
 mod chains;
 mod compass;
 mod disc;
+mod ears;
 mod edge_limits;
 mod edge_tree;
 mod energy;
