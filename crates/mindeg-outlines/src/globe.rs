@@ -21,6 +21,8 @@ use touching::node_touching;
 
 /// An edge of degrees gets points in the plane until their line is nowhere farther from it than this share of its length.
 const MOST_BENT: f64 = 1e-4;
+/// Pages show the world again and again beside itself: what is drawn on such a copy has longitudes of more than a turn.
+const MOST_LONGITUDE: f64 = 1080.0;
 /// A given projection whose lengths are less than half of those on the ground, or more than twice, is refused: its region is another one.
 const LEAST_SCALE: f64 = 0.5;
 const MOST_SCALE: f64 = 2.0;
@@ -201,7 +203,7 @@ fn check(ring: &DrawnRing) -> Result<(), OutlineError> {
 }
 
 fn expect_degrees(at: DVec2) -> Result<(), String> {
-    if at.x.abs() <= 360.0 && at.y.abs() <= 90.0 {
+    if at.x.abs() <= MOST_LONGITUDE && at.y.abs() <= 90.0 {
         return Ok(());
     }
     if at.x.abs() <= 90.0 && at.y.abs() <= 180.0 {
@@ -446,6 +448,9 @@ mod tests {
             area(&across),
             area(&beside)
         );
+        // And drawn on a copy of the world, two turns further east.
+        let copy = "[[[739, -17], [741, -17], [741, -19], [739, -19]]]";
+        assert!((area(&projected(copy, "laea").unwrap().0) / area(&beside) - 1.0).abs() < 1e-6);
         // A cap with the seam that planar programs draw along the pole: 2 pi R^2 (1 - sin 70).
         let cap = "[[[-180, 70], [-90, 70], [0, 70], [90, 70], [180, 70], [180, 90], [-180, 90]]]";
         let (cap, projection) = projected(cap, "laea").unwrap();
