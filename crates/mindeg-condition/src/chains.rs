@@ -226,6 +226,11 @@ impl Chains {
         self.at(vertex).distance(self.at(self.next(vertex)))
     }
 
+    /// The middle of the edge from a vertex to the next.
+    pub(crate) fn middle(&self, vertex: u32) -> DVec2 {
+        self.at(vertex).midpoint(self.at(self.next(vertex)))
+    }
+
     /// Whether an edge is short beside the size.
     pub(crate) fn has_short(&self, demands: &BoundaryDemands) -> bool {
         let short = demands.short().unwrap_or(0.0);

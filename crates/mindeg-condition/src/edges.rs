@@ -4,14 +4,13 @@ use crate::chains::Chains;
 use crate::changes::{BoundaryChange, ChangeKind, Left, Reason, Why};
 use crate::demands::BoundaryDemands;
 use crate::error::ConditionError;
+use crate::growth::{LONGEST, Shortest};
 use crate::tents::Arms;
 use glam::DVec2;
 use std::collections::BTreeMap;
 
 /// Rounds of dividing: each halves what is too long.
 const ROUNDS: usize = 64;
-/// Edges of more wanted lengths than this are divided.
-pub(crate) const LONGEST: f64 = 4.0 / 3.0;
 /// Where lengths shall change gradually, tents in a strait do not even meet if they are so many times as high: that
 /// leaves room for triangles with equal sides across it.
 const ROOM: f64 = 2.0;
@@ -29,7 +28,7 @@ impl Chains {
         for _ in 0..ROUNDS {
             let long = self.long_edges(fresh.drain(..), demands);
             for (vertex, why) in long {
-                let at = self.at(vertex).midpoint(self.at(self.next(vertex)));
+                let at = self.middle(vertex);
                 if !self.is_insert_free(vertex, at) {
                     continue;
                 }
@@ -71,8 +70,9 @@ impl Chains {
         let too_long = fresh.flat_map(|vertex| self.to_divide(vertex, demands));
         let in_straits = self.in_straits(roomy, demands.angle).into_iter();
         let in_straits = in_straits.map(|edge| (edge, Why::Strait));
-        let growing = self.edges().filter(|edge| self.grows_fast(*edge, demands.growth));
-        let growing = growing.map(|edge| (edge, Why::Growth));
+        let (shortest, growth) = (Shortest::new(self), demands.growth);
+        let grows_fast = |edge: &u32| growth > 0.0 && shortest.grows_fast(*edge, growth);
+        let growing = self.edges().filter(grows_fast).map(|edge| (edge, Why::Growth));
         let mut long: BTreeMap<u32, Why> = BTreeMap::new();
         for (edge, why) in too_long.chain(in_straits).chain(growing) {
             if !self.is_kept_edge(edge) && self.length(edge) >= SHORTEST * largest {
@@ -102,20 +102,6 @@ impl Chains {
         let is_uneven = longest.0 > UNEVEN * shortest && self.limit(vertex) < wanted;
         long.extend(is_uneven.then_some((longest.1, Why::Limit)));
         long
-    }
-
-    /// True if an edge is too long for one near it and `growth` times their distance.
-    fn grows_fast(&self, edge: u32, growth: f64) -> bool {
-        if growth == 0.0 {
-            return false;
-        }
-        let middle = |edge: u32| self.at(edge).midpoint(self.at(self.next(edge)));
-        let (own, length) = (middle(edge), self.length(edge));
-        let reach = DVec2::splat(length / growth + length);
-        self.grid.any_near([own - reach, own + reach], |other| {
-            self.is_edge(other)
-                && LONGEST * (self.length(other) + growth * own.distance(middle(other))) < length
-        })
     }
 
     /// The limit of the whole, in degrees.

@@ -310,7 +310,7 @@ impl Chains {
                 steps.push(Step::Drop { vertex });
             }
             if !self.is_kept_edge(vertex) {
-                let at = self.at(vertex).midpoint(self.at(self.next(vertex)));
+                let at = self.middle(vertex);
                 steps.push(Step::Insert { edge: vertex, at });
             }
             let Some((home, reach)) = self.reach(vertex, demands) else { continue };

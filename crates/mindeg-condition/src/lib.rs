@@ -31,6 +31,7 @@ mod dropping;
 mod edges;
 mod error;
 mod grid;
+mod growth;
 mod inlets;
 mod narrow;
 mod opening;
