@@ -102,7 +102,11 @@ impl Divided for Domain {
     fn floor(&self) -> u32 {
         match self.rings().ring_count() - 1 {
             _ if self.is_map() => 2,
-            0 => (self.rings().side_count() as u32).clamp(3, 5) - 1,
+            0 => {
+                let own = self.sides().iter().filter_map(own_points).map(<[_]>::len);
+                let stay = self.rings().side_count() + own.sum::<usize>();
+                stay.clamp(3, 5) as u32 - 1
+            }
             1 => 4,
             _ => 5,
         }
