@@ -72,7 +72,7 @@ fn names(mesh: &dyn Mesh) -> Vec<String> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(200))]
+    #![proptest_config(ProptestConfig::with_cases(120))]
 
     #[test]
     fn what_is_written_is_read(mesh in polygons::meshes()) {
@@ -171,7 +171,7 @@ const STARTS: [&[u8]; 5] = [
 ];
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(600))]
+    #![proptest_config(ProptestConfig::with_cases(300))]
 
     #[test]
     fn no_damage_makes_a_reader_panic(

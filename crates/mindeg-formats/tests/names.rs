@@ -158,7 +158,7 @@ fn written(mesh: &TriMesh, format: Format, options: WriteOptions) -> Vec<(String
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(100))]
+    #![proptest_config(ProptestConfig::with_cases(60))]
 
     #[test]
     fn no_name_changes_what_is_read(mesh in meshes()) {
