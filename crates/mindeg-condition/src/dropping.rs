@@ -3,12 +3,10 @@
 use crate::chains::{Chains, NONE, farthest};
 use crate::changes::{BoundaryChange, ChangeKind, Point, Why};
 use crate::demands::{BoundaryDemands, Hold};
+use crate::edges::LONGEST;
 use glam::DVec2;
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, VecDeque};
-
-/// With a size, points are dropped up to edges of so many sizes.
-const LONGEST: f64 = 4.0 / 3.0;
 
 impl Chains {
     /// Drops points at vertices whose limit is too small.

@@ -4,13 +4,15 @@ use crate::chains::Chains;
 use crate::changes::{BoundaryChange, ChangeKind, Left, Reason, Why};
 use crate::demands::BoundaryDemands;
 use crate::error::ConditionError;
-use crate::growth::{LONGEST, Shortest};
 use crate::tents::Arms;
 use glam::DVec2;
+use mindeg_interior::{SizeAt, grow_fast};
 use std::collections::BTreeMap;
 
 /// Rounds of dividing: each halves what is too long.
 const ROUNDS: usize = 64;
+/// Edges of more wanted lengths than this are divided, and with a size points are dropped up to such edges.
+pub(crate) const LONGEST: f64 = 4.0 / 3.0;
 /// Where lengths shall change gradually, tents in a strait do not even meet if they are so many times as high: that
 /// leaves room for triangles with equal sides across it.
 const ROOM: f64 = 2.0;
@@ -70,9 +72,7 @@ impl Chains {
         let too_long = fresh.flat_map(|vertex| self.to_divide(vertex, demands));
         let in_straits = self.in_straits(roomy, demands.angle).into_iter();
         let in_straits = in_straits.map(|edge| (edge, Why::Strait));
-        let (shortest, growth) = (Shortest::new(self), demands.growth);
-        let grows_fast = |edge: &u32| growth > 0.0 && shortest.grows_fast(*edge, growth);
-        let growing = self.edges().filter(grows_fast).map(|edge| (edge, Why::Growth));
+        let growing = self.growing(demands.growth).into_iter().map(|edge| (edge, Why::Growth));
         let mut long: BTreeMap<u32, Why> = BTreeMap::new();
         for (edge, why) in too_long.chain(in_straits).chain(growing) {
             if !self.is_kept_edge(edge) && self.length(edge) >= SHORTEST * largest {
@@ -102,6 +102,18 @@ impl Chains {
         let is_uneven = longest.0 > UNEVEN * shortest && self.limit(vertex) < wanted;
         long.extend(is_uneven.then_some((longest.1, Why::Limit)));
         long
+    }
+
+    /// The edges that are too long for one near them and `growth` times their distance; none without growth.
+    fn growing(&self, growth: f64) -> Vec<u32> {
+        if growth == 0.0 {
+            return Vec::new();
+        }
+        let edges: Vec<u32> = self.edges().collect();
+        let place = |edge: &u32| SizeAt { at: self.middle(*edge), size: self.length(*edge) };
+        let places: Vec<SizeAt> = edges.iter().map(place).collect();
+        let growing = grow_fast(&places, growth, LONGEST).into_iter();
+        growing.map(|index| edges[index]).collect()
     }
 
     /// The limit of the whole, in degrees.

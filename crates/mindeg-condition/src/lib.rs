@@ -31,7 +31,6 @@ mod dropping;
 mod edges;
 mod error;
 mod grid;
-mod growth;
 mod inlets;
 mod narrow;
 mod opening;

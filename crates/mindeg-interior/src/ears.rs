@@ -6,7 +6,7 @@
 //! at the corner and at such an end have no more than the greater of t / 2 and the **ear limit**, nor have those at all three and that
 //! edge's. The ends get it as their limit: corners keep their angles, and who halves one may have more beside it.
 
-use crate::edge_limits::{Place, TIGHTER};
+use crate::edge_limits::{Place, TIGHTER, cut_off};
 use crate::limits::fan_limit_from;
 use crate::star::{Sector, Stars};
 use std::f64::consts::PI;
@@ -22,63 +22,48 @@ struct Behind {
 }
 
 /// The ear limit of each vertex of an outline and of lines in degrees: the least of its corners', `most` where it is more.
-/// `limits`: what is known of each vertex already.
-pub(crate) fn ear_limits(
-    stars: &Stars,
-    vertices: u32,
-    most: f64,
-    limits: impl Fn(u32) -> f64,
-) -> Vec<f64> {
-    let mut found = vec![most; vertices as usize];
-    for sector in (0..vertices).flat_map(|vertex| stars.at(vertex)) {
-        let Some(Behind { ends, fans, all }) = behind(stars, sector, &limits) else { continue };
-        for (vertex, fan) in ends.into_iter().zip(fans) {
-            let limit = fan.min(all);
-            if limit < TIGHTER * limits(vertex) {
-                found[vertex as usize] = found[vertex as usize].min(limit);
-            }
-        }
-    }
-    found
+/// `known`: the limits that are known already.
+pub(crate) fn ear_limits(stars: &Stars, most: f64, known: &[f64]) -> Vec<f64> {
+    stars.least_limits(known.len(), most, |sector| {
+        let Behind { ends, fans, all } = behind(stars, sector, known)?;
+        Some([0, 1].map(|end| {
+            let (vertex, limit) = (ends[end], fans[end].min(all));
+            let is_tighter = limit < TIGHTER * known[vertex as usize];
+            (vertex, if is_tighter { limit } else { most })
+        }))
+    })
 }
 
 /// The limits behind the corner of a sector, unless the sector's halves have as much as is known of its ends.
-fn behind(stars: &Stars, sector: &Sector, limits: &impl Fn(u32) -> f64) -> Option<Behind> {
-    let &Sector { vertex: corner, ends: [next, previous], angle, .. } = sector;
-    let [to_next, to_previous] = sector.lengths;
+fn behind(stars: &Stars, sector: &Sector, known: &[f64]) -> Option<Behind> {
+    let &Sector { ends: [next, previous], angle, lengths: [to_next, to_previous], .. } = sector;
+    let ends = [previous, next];
     let half = angle.to_degrees() / 2.0;
-    if sector.least > 1 || half >= limits(previous).max(limits(next)) {
+    let of_ends = ends.map(|end| known[end as usize]);
+    if sector.least > 1 || half >= of_ends[0].max(of_ends[1]) {
         return None;
     }
-    let at_previous = stars.at(previous).iter().find(|own| own.ends[0] == corner)?;
-    let at_next = stars.at(next).iter().find(|own| own.ends[1] == corner)?;
+    let [Some(at_next), Some(at_previous)] = stars.beside(sector) else { return None };
     // A face of four edges may be two triangles.
     if at_previous.ends[1] == at_next.ends[0] || at_previous.ends[1] == next {
         return None;
     }
-    let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
-    let of_ear = |own: f64, other: f64| libm::atan2(other * sine, own - other * cosine);
+    let (taken, length) = cut_off(angle, [to_previous, to_next]);
     let place = Place {
-        angles: [
-            at_previous.angle - of_ear(to_previous, to_next),
-            at_next.angle - of_ear(to_next, to_previous),
-        ],
-        length: libm::hypot(to_next * sine, to_previous - to_next * cosine),
+        angles: [at_previous.angle - taken[0], at_next.angle - taken[1]],
+        length,
         next: [at_previous.lengths[1], at_next.lengths[0]],
     };
     if place.angles.iter().any(|left| *left <= 0.0) {
         return None;
     }
-    let fan = |end: usize| {
-        let lengths = [place.length, place.next[end]];
-        fan_limit_from(1, place.angles[end], lengths, None).max(half)
-    };
-    let fans = [fan(0), fan(1)];
-    let known = limits(previous).min(limits(next)).min(fans[0]).min(fans[1]);
+    let fans = [0, 1]
+        .map(|end| fan_limit_from(1, place.angles[end], [length, place.next[end]], None).max(half));
+    let known = of_ends.into_iter().chain(fans).fold(60.0, f64::min);
     let of_edge = place.limit(known * (PI / 180.0)).to_degrees().max(half);
     // An end with a greater limit of its own is not excused by the other one's.
     let all = if of_edge < TIGHTER * known { of_edge } else { f64::INFINITY };
-    Some(Behind { ends: [previous, next], fans, all })
+    Some(Behind { ends, fans, all })
 }
 
 #[cfg(test)]
@@ -102,13 +87,13 @@ mod tests {
     fn what_is_left_beside_an_ear_limits_its_ends() {
         let outline = PlanarBoundary::new(&[WEDGE.map(DVec2::from).to_vec()]).unwrap();
         let stars = Stars::new(&outline, &Breaklines::default());
-        let known = |vertex| stars.limit(vertex, None).min(MOST);
+        let known: Vec<f64> = (0..6).map(|vertex| stars.limit(vertex, None).min(MOST)).collect();
         let Behind { ends, fans, all } = behind(&stars, &stars.at(0)[0], &known).unwrap();
         assert_eq!(ends, [5, 1]);
         // At (10, 0) the ear takes 38.66 of 180 degrees.
         let fan = fan_limit((180.0 - 38.66_f64).to_radians(), 1_f64.hypot(0.8), 50.0, None);
         assert!((fans[1] - fan).abs() < 0.01 && all < fan, "{fans:?} {fan} {all}");
-        let limits = ear_limits(&stars, 6, MOST, known);
+        let limits = ear_limits(&stars, MOST, &known);
         assert_eq!(limits, [MOST, all, MOST, MOST, MOST, all]);
     }
 
@@ -138,7 +123,7 @@ mod tests {
             }
             let stars = Stars::new(&outline, &Breaklines::default());
             for corner in 0..5 {
-                let found = behind(&stars, &stars.at(corner)[0], &|_| 60.0);
+                let found = behind(&stars, &stars.at(corner)[0], &[60.0; 5]);
                 let Some(Behind { ends, fans, all }) = found else { continue };
                 let own = [corner, ends[0], ends[1]].map(|vertex| angles[vertex as usize]);
                 let one = |end: usize| (own[0].min(own[end]), fans[end - 1]);

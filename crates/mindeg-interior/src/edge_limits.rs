@@ -41,30 +41,25 @@ pub(crate) struct Ear {
 struct Angles([[f64; 2]; 2]);
 
 /// The edge limit of each vertex of an outline and of lines in degrees: the least of its edges, `most` where it is more.
-/// `limits`: what is known of each vertex already.
-pub(crate) fn edge_limits(
-    stars: &Stars,
-    vertices: u32,
-    most: f64,
-    limits: impl Fn(u32) -> f64,
-) -> Vec<f64> {
-    let mut found = vec![most; vertices as usize];
-    for sector in (0..vertices).flat_map(|vertex| stars.at(vertex)) {
+/// `known`: the limits that are known already.
+pub(crate) fn edge_limits(stars: &Stars, most: f64, known: &[f64]) -> Vec<f64> {
+    stars.least_limits(known.len(), most, |sector| {
         // The edge to the first end has the sector on its left, as it has the one at that end whose last edge it is.
         let [other, last] = sector.ends;
-        let at_other = stars.at(other).iter().find(|own| own.ends[1] == sector.vertex);
         // Without a second vertex the domain is a triangle.
-        let Some(at_other) = at_other.filter(|own| own.ends[0] != last) else { continue };
-        let known = limits(sector.vertex).min(limits(other)).min(most);
+        let at_other = stars.beside(sector)[0].filter(|own| own.ends[0] != last)?;
+        let known = known[sector.vertex as usize].min(known[other as usize]).min(most);
         let limit = Place::new(sector, at_other).limit(known * (PI / 180.0)) * (180.0 / PI);
         // A vertex with a greater limit of its own is not excused by its neighbour's.
-        if limit < TIGHTER * known {
-            for vertex in [sector.vertex, other] {
-                found[vertex as usize] = found[vertex as usize].min(limit);
-            }
-        }
-    }
-    found
+        (limit < TIGHTER * known).then(|| [sector.vertex, other].map(|vertex| (vertex, limit)))
+    })
+}
+
+/// The edge that cuts off a corner of this angle between edges of two lengths: its angles with these, and its length.
+pub(crate) fn cut_off(angle: f64, [first, second]: [f64; 2]) -> ([f64; 2], f64) {
+    let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
+    let at = |own: f64, other: f64| libm::atan2(other * sine, own - other * cosine);
+    ([at(first, second), at(second, first)], libm::hypot(second * sine, first - second * cosine))
 }
 
 /// No triangle on an edge, with the fans that it leaves at both of the edge's ends, has a greater minimum angle, in degrees. `angles` are those
@@ -125,10 +120,7 @@ impl Place {
         if angle >= PI {
             return None;
         }
-        // The triangle's angle at the other end, and the length of the new edge.
-        let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
-        let other = libm::atan2(next * sine, self.length - next * cosine);
-        let length = libm::hypot(next * sine, self.length - next * cosine);
+        let ([other, _], length) = cut_off(angle, [self.length, next]);
         let left = self.angles[1 - end] - other;
         let least = angle.min(other).min(PI - angle - other);
         (left > 0.0).then(|| Ear { least, left, ratio: length / self.next[1 - end] })
@@ -227,7 +219,8 @@ mod tests {
         let ring: Vec<DVec2> = ring.iter().copied().map(DVec2::from).collect();
         let outline = PlanarBoundary::new(&[ring]).unwrap();
         let stars = Stars::new(&outline, &Breaklines::default());
-        edge_limits(&stars, outline.vertex_count(), MOST, |v| stars.limit(v, None))
+        let known: Vec<f64> = (0..outline.vertex_count()).map(|v| stars.limit(v, None)).collect();
+        edge_limits(&stars, MOST, &known)
     }
 
     /// An inlet: its end is 1 wide, its sides are 3 and 5 long.

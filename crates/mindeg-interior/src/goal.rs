@@ -61,15 +61,14 @@ pub(crate) fn goals(
 ) -> Vec<Goal> {
     let mut tents = tent_limits(outline, lines, MOST);
     let (low, high) = options.wanted.interior_degree().into_inner();
-    let known = |vertex: u32| {
-        let fans = stars.at(vertex).iter().map(|sector| sector.limit(None));
-        fans.fold(tents[vertex as usize], f64::min)
-    };
-    let count = tents.len() as u32;
-    let of_edges = edge_limits(stars, count, MOST, known);
-    let of_ears = ear_limits(stars, count, MOST, |v| known(v).min(of_edges[v as usize]));
-    for limits in [of_edges, of_ears] {
-        tents.iter_mut().zip(limits).for_each(|(tent, own)| *tent = tent.min(own));
+    let fans = |vertex: u32| stars.at(vertex).iter().map(|sector| sector.limit(None));
+    let with_fans = (0..).zip(&tents).map(|(vertex, tent)| fans(vertex).fold(*tent, f64::min));
+    let mut known: Vec<f64> = with_fans.collect();
+    for limits_of in [edge_limits, ear_limits] {
+        for (vertex, limit) in limits_of(stars, MOST, &known).into_iter().enumerate() {
+            known[vertex] = known[vertex].min(limit);
+            tents[vertex] = tents[vertex].min(limit);
+        }
     }
     let goal = |vertex| {
         let is_boundary = vertex < outline.vertex_count();

@@ -127,6 +127,7 @@ pub use options::{InteriorError, JoinedVertices, Options, check_coordinates};
 pub use report::{
     CertifiedVertex, CornerTradeOff, InteriorReport, LocalShares, TogetherBound, Violation,
 };
+pub use size::grow_fast;
 pub use surface::{
     CornerLimit, OffDegree, RemeshError, RemeshOptions, RemeshReport, Remeshed, RemeshedCurve,
     improve_surface, remesh,

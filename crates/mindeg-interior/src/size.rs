@@ -161,6 +161,36 @@ impl SizeField {
     }
 }
 
+/// The places whose size is more than `most` times the size of another place and `growth` times the distance from there together, by
+/// their indices. O(n log n) where sizes change gradually.
+///
+/// ```
+/// use mindeg_interior::{SizeAt, grow_fast};
+///
+/// // 5 is more than 4/3 of 1 + 0.4 * 6, and less than 4/3 of 1 + 0.4 * 7.
+/// let places = |x| [(0.0, 1.0), (x, 5.0)].map(|(x, size)| SizeAt { at: [x, 0.0].into(), size });
+/// assert_eq!(grow_fast(&places(6.0), 0.4, 4.0 / 3.0), [1]);
+/// assert!(grow_fast(&places(7.0), 0.4, 4.0 / 3.0).is_empty());
+/// ```
+#[must_use]
+pub fn grow_fast(places: &[SizeAt], growth: f64, most: f64) -> Vec<usize> {
+    let point = |(id, place): (u32, &SizeAt)| Item {
+        id,
+        from: place.at,
+        to: place.at,
+        size: place.size,
+        reach: 0.0,
+    };
+    let tree = EdgeTree::of_items((0..).zip(places).map(point).collect());
+    let grows = |place: &SizeAt| {
+        let allowed = place.size / most;
+        let mut least = allowed;
+        tree.least_grown(growth, place.at, &mut least);
+        least < allowed
+    };
+    (0..places.len()).filter(|index| grows(&places[*index])).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -260,6 +290,38 @@ mod tests {
         let far = DVec2::new(3.0, 6.0);
         assert!((gentle.at(far) - slow(far)).abs() < 1e-9 && plain.at(far) > 1.5);
         assert!(beside > 30);
+    }
+
+    #[test]
+    fn a_size_grows_fast_beside_one_of_all_others() {
+        const MOST: f64 = 4.0 / 3.0;
+        let mut found = [0; 2];
+        for count in [3, 5, 40, 700] {
+            // A star whose points crowd on one side, with edges to the next ones.
+            let at = |i: u32| {
+                let share = f64::from(i % count) / f64::from(count);
+                let angle = std::f64::consts::TAU * share.powi(4);
+                let out = 2.0 + libm::fmod(f64::from(i % count) * 0.618, 1.0);
+                DVec2::new(out * libm::cos(angle), out * libm::sin(angle))
+            };
+            let place = |i: u32| {
+                let [a, b] = [at(i), at(i + 1)];
+                SizeAt { at: a.midpoint(b), size: a.distance(b) }
+            };
+            let places: Vec<SizeAt> = (0..count).map(place).collect();
+            for growth in [0.35, 0.4, 1.0, 1.9] {
+                let growing = grow_fast(&places, growth, MOST);
+                for (edge, own) in places.iter().enumerate() {
+                    let is_near = |other: &SizeAt| {
+                        MOST * (other.size + growth * own.at.distance(other.at)) < own.size
+                    };
+                    let any = places.iter().any(is_near);
+                    assert_eq!(growing.contains(&edge), any, "{count} {growth} {edge}");
+                    found[usize::from(any)] += 1;
+                }
+            }
+        }
+        assert!(found[0] > 100 && found[1] > 100, "{found:?}");
     }
 
     #[test]

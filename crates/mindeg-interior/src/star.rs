@@ -136,6 +136,31 @@ impl Stars {
         }
     }
 
+    /// The sectors of the same face at the first and at the last end of a sector's edges.
+    pub(crate) fn beside(&self, sector: &Sector) -> [Option<&Sector>; 2] {
+        let [first, last] = sector.ends.map(|end| self.at(end).iter());
+        let vertex = sector.vertex;
+        [
+            first.clone().find(|own| own.ends[1] == vertex),
+            last.clone().find(|own| own.ends[0] == vertex),
+        ]
+    }
+
+    /// The least limit of each of so many vertices that `limits` tells for a sector; `most` where none is less.
+    pub(crate) fn least_limits(
+        &self,
+        vertices: usize,
+        most: f64,
+        limits: impl Fn(&Sector) -> Option<[(u32, f64); 2]>,
+    ) -> Vec<f64> {
+        let mut least = vec![most; vertices];
+        let sectors = (0..vertices as u32).flat_map(|vertex| self.at(vertex));
+        for (vertex, limit) in sectors.filter_map(limits).flatten() {
+            least[vertex as usize] = least[vertex as usize].min(limit);
+        }
+        least
+    }
+
     /// The other ends of the frozen edges at a vertex, counter-clockwise.
     pub(crate) fn ends(&self, vertex: u32) -> Vec<u32> {
         let sectors = self.at(vertex);

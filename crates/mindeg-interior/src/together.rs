@@ -10,7 +10,7 @@
 //! The angles are a share of those that a mesh has at the group and at the other ends of its frozen edges: what is proven is that degrees
 //! get no lower unless angles there do. It is proven up to rounding.
 
-use crate::edge_limits::{Ear, Place, apart, fewest_of_fan};
+use crate::edge_limits::{Ear, Place, apart, cut_off, fewest_of_fan};
 use crate::star::{Sector, Stars};
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::PI;
@@ -229,25 +229,21 @@ impl<'a> Together<'a> {
 
     fn behind(&self, name: Name, beside: [Name; 2]) -> Least {
         let (own, [one, other]) = (self.sector(name), beside.map(|name| self.sector(name)));
-        let [a, b] = own.lengths;
         if own.angle >= PI || one.vertex == other.vertex {
             return Vec::new();
         }
         if one.ends[0] == other.vertex {
             return vec![[1, 1]];
         }
-        let corner =
-            |a: f64, b: f64| libm::atan2(b * libm::sin(own.angle), a - b * libm::cos(own.angle));
-        let corners = [corner(a, b), corner(b, a)];
+        let (corners, length) = cut_off(own.angle, own.lengths);
         let kept = beside.map(|name| self.angle(name));
         let most = kept[0].max(kept[1]).max(self.angle(name));
         if corners[0].min(corners[1]).min(own.angle) < most {
             return Vec::new();
         }
-        let (height, along) = (b * libm::sin(own.angle), a - b * libm::cos(own.angle));
         let place = Place {
             angles: [one.angle - corners[0], other.angle - corners[1]],
-            length: libm::hypot(height, along),
+            length,
             next: [one.lengths[0], other.lengths[1]],
         };
         if place.angles[0] <= 0.0 || place.angles[1] <= 0.0 {

@@ -6,7 +6,7 @@
 use super::step::Step;
 use crate::chains::Chains;
 use crate::demands::GROWTH;
-use crate::growth::LONGEST;
+use crate::edges::LONGEST;
 use glam::DVec2;
 use mindeg_interior::{generate_once, least_angle};
 use mindeg_mesh::planar::PlanarBoundary;
