@@ -553,6 +553,19 @@ fn a_repair_of_regions_keeps_their_borders_shared() {
     assert_eq!(groups(&obj).len(), 3);
 }
 
+/// Natural Earth's lands have some hundred ice shelves in others: one sentence named them all.
+#[test]
+fn of_many_polygons_that_are_left_out_a_few_are_named() {
+    let inside = |x: u32| format!(" POLYGON(({x} 1, {0} 1, {0} 2, {x} 2))", x + 1);
+    let wkt = (1..9).fold("POLYGON((0 0, 10 0, 10 4, 0 4))".to_owned(), |wkt, x| wkt + &inside(x));
+    let folder = folder(&[("a.wkt", &wkt)]);
+    let at = |name: &str| folder.path().join(name).to_str().expect("a name").to_owned();
+    let run = mindeg(["mesh", &at("a.wkt"), "--interior", "--repair", "-o", &at("out.obj")]);
+    assert_eq!(run.code, Some(0), "{}", run.errors);
+    let words = "left out polygon 2, polygon 3, polygon 4, polygon 5, polygon 6, …, which";
+    assert!(run.errors.contains(words), "{}", run.errors);
+}
+
 /// Regions that share a place, holes, lines that leave, slivers: each is refused with the place and what to do.
 #[test]
 fn bad_maps_are_refused_with_the_place() {

@@ -28,7 +28,8 @@ impl Chains {
     pub(crate) fn divide(&mut self, demands: &BoundaryDemands) -> Result<(), ConditionError> {
         let mut fresh: Vec<u32> = self.alive().collect();
         for _ in 0..ROUNDS {
-            let long = self.long_edges(fresh.drain(..), demands);
+            let long = self.long_edges(&fresh, demands);
+            fresh.clear();
             for (vertex, why) in long {
                 let at = self.middle(vertex);
                 if !self.is_insert_free(vertex, at) {
@@ -43,6 +44,8 @@ impl Chains {
             if fresh.is_empty() {
                 break;
             }
+            fresh.sort_unstable();
+            fresh.dedup();
             if self.vertices.len() > MOST_POINTS {
                 return Err(ConditionError::Points(MOST_POINTS));
             }
@@ -58,21 +61,23 @@ impl Chains {
         self.is_free([self.at(a), at, self.at(b)], places)
     }
 
-    /// The edges that are to be divided, each with the first reason: those at some vertices that are too long, those of straits, and
-    /// those that grow too fast.
+    /// The edges that are to be divided because of what is around some vertices, each with the first reason: those there that are too
+    /// long, those of straits, and those that grow too fast.
     pub(crate) fn long_edges(
         &self,
-        fresh: impl Iterator<Item = u32>,
+        fresh: &[u32],
         demands: &BoundaryDemands,
     ) -> BTreeMap<u32, Why> {
         let largest = self.alive().map(|v| self.at(v).abs().max_element()).fold(0.0, f64::max);
         // Tents that just do not meet leave no room for the triangles between them.
         let room = if demands.growth > 0.0 { ROOM } else { 1.0 };
         let roomy = libm::atan(room * libm::tan(demands.angle.to_radians())).to_degrees();
-        let too_long = fresh.flat_map(|vertex| self.to_divide(vertex, demands));
-        let in_straits = self.in_straits(roomy, demands.angle).into_iter();
+        let too_long = fresh.iter().flat_map(|vertex| self.to_divide(*vertex, demands));
+        let fresh: Vec<u32> = fresh.iter().copied().filter(|v| self.is_edge(*v)).collect();
+        let in_straits = self.in_straits(&fresh, roomy, demands.angle).into_iter();
         let in_straits = in_straits.map(|edge| (edge, Why::Strait));
-        let growing = self.growing(demands.growth).into_iter().map(|edge| (edge, Why::Growth));
+        let growing = self.growing(&fresh, demands.growth).into_iter();
+        let growing = growing.map(|edge| (edge, Why::Growth));
         let mut long: BTreeMap<u32, Why> = BTreeMap::new();
         for (edge, why) in too_long.chain(in_straits).chain(growing) {
             if !self.is_kept_edge(edge) && self.length(edge) >= SHORTEST * largest {
@@ -104,22 +109,23 @@ impl Chains {
         long
     }
 
-    /// The edges that are too long for one near them and `growth` times their distance; none without growth.
-    fn growing(&self, growth: f64) -> Vec<u32> {
+    /// The edges that are too long for one near them and `growth` times their distance, if one of the two is of `fresh`; none without growth.
+    fn growing(&self, fresh: &[u32], growth: f64) -> Vec<u32> {
         if growth == 0.0 {
             return Vec::new();
         }
-        let edges: Vec<u32> = self.edges().collect();
+        let (edges, first) = self.edges_with_last(fresh);
         let place = |edge: &u32| SizeAt { at: self.middle(*edge), size: self.length(*edge) };
         let places: Vec<SizeAt> = edges.iter().map(place).collect();
-        let growing = grow_fast(&places, growth, LONGEST).into_iter();
+        let growing = grow_fast(&places, first, growth, LONGEST).into_iter();
         growing.map(|index| edges[index]).collect()
     }
 
     /// The limit of the whole, in degrees.
     pub(crate) fn limit_of_all(&self) -> f64 {
         let least = self.alive().map(|v| self.limit(v)).fold(60.0, f64::min);
-        self.tents(least).into_iter().map(|tent| tent.0).fold(least, f64::min)
+        let edges: Vec<u32> = self.edges().collect();
+        self.tents(&edges, least).into_iter().map(|tent| tent.0).fold(least, f64::min)
     }
 
     /// The places that stay below the demanded angle.
@@ -144,7 +150,8 @@ impl Chains {
             left.push(Left { at: self.at(vertex), limit, reason });
         }
         let arms = Arms::of(self);
-        for (limit, edges) in self.tents(demands.angle) {
+        let all: Vec<u32> = self.edges().collect();
+        for (limit, edges) in self.tents(&all, demands.angle) {
             // The corner between them is there already.
             if arms.least_between(self, edges).is_some_and(|least| least <= limit) {
                 continue;

@@ -22,8 +22,9 @@ use fit::angle_of;
 use glam::DVec2;
 use mindeg_interior::{Interior, Options, generate_once, least_angle};
 use mindeg_mesh::Progress;
+use mindeg_mesh::parallel::map_all;
 use mindeg_mesh::planar::PlanarBoundary;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use step::{Step, is_at_end};
 use straits::straits;
 
@@ -54,9 +55,13 @@ const BESIDE: usize = 2;
 /// The directions in which it is.
 const DIRECTIONS: usize = 8;
 
-/// A place whose triangles are too thin.
+/// Runs of vertices with the domain on the left, in their order around a place.
+type Shores = Vec<Vec<u32>>;
+
+/// A place whose triangles may be too thin.
+#[derive(Clone)]
 struct Place {
-    shores: Vec<Vec<u32>>,
+    shores: Shores,
     around: Around,
     meshed: Meshed,
 }
@@ -72,13 +77,14 @@ impl Chains {
         self.longest = self.edges().map(|edge| self.length(edge)).fold(0.0, f64::max);
         let (mut is_changed, mut in_vain) = (true, BTreeSet::new());
         let mut meshes = MOST_IN_ALL + self.vertices.len() / VERTICES;
+        let mut known = BTreeMap::new();
         for round in 0.. {
             let boundary = prove(self)?;
             let (inner, lines) = (boundary.inner_points(), boundary.segments());
             let triangles = mindeg_delaunay::triangles(&boundary, inner, lines, Progress::NONE)
                 .map_err(|error| ConditionError::Narrow(error.to_string()))?;
             let whole = Whole::new(self.ring_order().concat(), &boundary, &triangles);
-            let small = self.small(&whole, demands);
+            let small = self.small(&whole, demands, &mut known);
             if !is_changed || small.is_empty() || round == rounds {
                 let left = |place: &Place| Left {
                     at: self.at(place.shores[0][place.shores[0].len() / 2]),
@@ -98,7 +104,9 @@ impl Chains {
                     continue;
                 }
                 // Or have mended it.
-                if is_changed && let Some(now) = place.around.meshed(self, &place.shores, None) {
+                let was = Some(&place.meshed);
+                if is_changed && let Some(now) = place.around.meshed_again(self, &place.shores, was)
+                {
                     place.meshed = now;
                 }
                 let as_it_is = (place.shores.clone(), place.meshed.angle.to_bits());
@@ -117,38 +125,48 @@ impl Chains {
 
     /// The places where neither triangles with corners on the shores alone have an angle for sure, nor a mesh of what is around.
     /// Where each triangle has a corner inside, those of the shores alone tell nothing; a mesh of the whole tells, and it does
-    /// at last everywhere, unless it would be large.
-    fn small(&self, whole: &Whole<'_>, demands: &BoundaryDemands) -> Vec<Place> {
+    /// at last everywhere, unless it would be large. `known` has the places that were meshed, by their shores.
+    fn small(
+        &self,
+        whole: &Whole<'_>,
+        demands: &BoundaryDemands,
+        known: &mut BTreeMap<Shores, Meshed>,
+    ) -> Vec<Place> {
         let wanted = demands.angle;
         let inlets = inlets(self, whole);
         let straits = straits(self, whole, &inlets);
         let all = inlets.into_iter().map(|shore| vec![shore]).chain(straits);
         // Where a vertex has a smaller limit of its own, that is what decides.
-        let is_able = |shores: &Vec<Vec<u32>>| self.least_limit(shores) >= wanted;
-        let place = |shores: Vec<Vec<u32>>| {
-            let around = whole.around(&shores)?;
-            let meshed = around.meshed(self, &shores, None)?;
-            Some(Place { shores, around, meshed })
+        let is_able = |shores: &Shores| self.least_limit(shores) >= wanted;
+        let mut small = |all: Vec<Shores>| -> Vec<Place> {
+            let places = map_all(all, |shores| {
+                let around = whole.around(&shores)?;
+                let meshed = around.meshed_again(self, &shores, known.get(&shores))?;
+                Some(Place { shores, around, meshed })
+            });
+            let places: Vec<Place> = places.into_iter().flatten().collect();
+            known.extend(places.iter().map(|place| (place.shores.clone(), place.meshed.clone())));
+            places.into_iter().filter(|place| place.meshed.angle < wanted + SURE).collect()
         };
-        let is_small = |place: &Place| place.meshed.angle < wanted + SURE;
         let all = all.filter(&is_able);
         if self.least_triangles > 1 {
             let thin = self.thin_of_mesh(whole, wanted + SURE);
-            let is_thin =
-                |shores: &Vec<Vec<u32>>| shores.iter().flatten().any(|v| thin.contains(v));
-            let mut all: Vec<Vec<Vec<u32>>> = all.filter(is_thin).collect();
+            let is_thin = |shores: &Shores| shores.iter().flatten().any(|v| thin.contains(v));
+            let mut all: Vec<Shores> = all.filter(is_thin).collect();
             all.extend(self.runs_around(&thin, &all).into_iter().filter(&is_able));
-            return all.into_iter().filter_map(place).filter(is_small).collect();
+            return small(all);
         }
-        let doubtful = all.filter(|shores| angle_of(self, shores, None) < wanted + MARGIN);
-        let found: Vec<Place> = doubtful.filter_map(place).filter(is_small).collect();
+        let doubtful = map_all(all.collect(), |shores: Shores| {
+            (angle_of(self, &shores, None) < wanted + MARGIN).then_some(shores)
+        });
+        let found = small(doubtful.into_iter().flatten().collect());
         if !found.is_empty() || demands.size.is_none() || whole.boundary.edge_count() > MOST_MESHED
         {
             return found;
         }
         let thin = self.thin_of_mesh(whole, wanted);
         let runs = self.runs_around(&thin, &[]).into_iter().filter(is_able);
-        runs.filter_map(place).filter(is_small).collect()
+        small(runs.collect())
     }
 
     /// The vertices at and beside triangles of a mesh of the whole that are thinner than an angle.
@@ -170,11 +188,7 @@ impl Chains {
     }
 
     /// Runs of vertices around those that are in no place yet.
-    fn runs_around(
-        &self,
-        vertices: &BTreeSet<u32>,
-        places: &[Vec<Vec<u32>>],
-    ) -> Vec<Vec<Vec<u32>>> {
+    fn runs_around(&self, vertices: &BTreeSet<u32>, places: &[Shores]) -> Vec<Shores> {
         let mut known: BTreeSet<u32> = places.iter().flatten().flatten().copied().collect();
         let mut runs = Vec::new();
         for &vertex in vertices {

@@ -48,7 +48,7 @@ where
     chains.drop_holes(demands.least_hole);
     let is_good = before >= demands.angle
         && chains.changes.is_empty()
-        && chains.long_edges(chains.alive(), demands).is_empty()
+        && chains.long_edges(&chains.alive().collect::<Vec<u32>>(), demands).is_empty()
         && chains.widen_inlets(prove, demands, 0)?.is_empty();
     let mut narrow_inlets = Vec::new();
     if !is_good || demands.size.is_some() {

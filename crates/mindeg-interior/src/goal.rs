@@ -3,9 +3,9 @@
 use crate::breaklines::Breaklines;
 use crate::ears::ear_limits;
 use crate::edge_limits::edge_limits;
-use crate::limits::tent_limits;
 use crate::options::Options;
 use crate::star::{Sector, Stars, allotted};
+use crate::tents::tent_limits;
 use mindeg_domain::Prefer;
 use mindeg_mesh::planar::PlanarBoundary;
 use std::f64::consts::PI;

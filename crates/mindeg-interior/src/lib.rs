@@ -111,6 +111,7 @@ mod stage;
 mod star;
 mod start;
 mod surface;
+mod tents;
 mod together;
 mod trial;
 mod triangle;

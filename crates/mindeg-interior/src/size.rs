@@ -5,8 +5,10 @@ use crate::cells::{AtPlace, Cells, Sources};
 use crate::edge_tree::{EdgeTree, Item};
 use glam::DVec2;
 use mindeg_domain::SizeAt;
+use mindeg_mesh::parallel::map_chunks;
 use mindeg_mesh::planar::PlanarBoundary;
 use std::cell::RefCell;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// The wanted edge length at every place of a domain.
@@ -49,6 +51,9 @@ const GENTLE: f64 = 0.3;
 /// A gentle field may grow by the whole growth up to this share of what a longer edge asks for: corners between short and long
 /// edges need that, or they lose angle.
 const LONGER: f64 = 0.7;
+
+/// So many places are one piece of work for a thread.
+const CHUNK: usize = 4096;
 
 /// With more runs than this that turn, there are cells.
 const MANY_TURNS: usize = 500;
@@ -162,18 +167,19 @@ impl SizeField {
 }
 
 /// The places whose size is more than `most` times the size of another place and `growth` times the distance from there together, by
-/// their indices. O(n log n) where sizes change gradually.
+/// their indices, where one of the two is from the index `first` on: where some have changed, others need not be looked at again. O(n log n)
+/// where sizes change gradually.
 ///
 /// ```
 /// use mindeg_interior::{SizeAt, grow_fast};
 ///
 /// // 5 is more than 4/3 of 1 + 0.4 * 6, and less than 4/3 of 1 + 0.4 * 7.
 /// let places = |x| [(0.0, 1.0), (x, 5.0)].map(|(x, size)| SizeAt { at: [x, 0.0].into(), size });
-/// assert_eq!(grow_fast(&places(6.0), 0.4, 4.0 / 3.0), [1]);
-/// assert!(grow_fast(&places(7.0), 0.4, 4.0 / 3.0).is_empty());
+/// assert_eq!(grow_fast(&places(6.0), 0, 0.4, 4.0 / 3.0), [1]);
+/// assert!(grow_fast(&places(7.0), 0, 0.4, 4.0 / 3.0).is_empty());
 /// ```
 #[must_use]
-pub fn grow_fast(places: &[SizeAt], growth: f64, most: f64) -> Vec<usize> {
+pub fn grow_fast(places: &[SizeAt], first: usize, growth: f64, most: f64) -> Vec<usize> {
     let point = |(id, place): (u32, &SizeAt)| Item {
         id,
         from: place.at,
@@ -181,14 +187,29 @@ pub fn grow_fast(places: &[SizeAt], growth: f64, most: f64) -> Vec<usize> {
         size: place.size,
         reach: 0.0,
     };
-    let tree = EdgeTree::of_items((0..).zip(places).map(point).collect());
-    let grows = |place: &SizeAt| {
-        let allowed = place.size / most;
+    let tree = EdgeTree::of_items((0..).zip(places).skip(first).map(point).collect());
+    let grows = |index: &usize| {
+        let SizeAt { at, size } = places[*index];
+        let allowed = size / most;
         let mut least = allowed;
-        tree.least_grown(growth, place.at, &mut least);
+        tree.least_grown(growth, at, &mut least);
         least < allowed
     };
-    (0..places.len()).filter(|index| grows(&places[*index])).collect()
+    let among = |some: Range<usize>| {
+        let mut found: Vec<usize> = some.clone().filter(grows).collect();
+        // Beside a place of the rest one of these may be too large.
+        for SizeAt { at, size } in &places[some.start.min(first)..some.end.min(first)] {
+            tree.visit(
+                |node| size + growth * node.distance(*at) < node.greatest / most,
+                |own| found.push(own as usize),
+            );
+        }
+        found
+    };
+    let mut found = map_chunks(0..places.len(), CHUNK, among).concat();
+    found.sort_unstable();
+    found.dedup();
+    found
 }
 
 #[cfg(test)]
@@ -308,16 +329,20 @@ mod tests {
                 let [a, b] = [at(i), at(i + 1)];
                 SizeAt { at: a.midpoint(b), size: a.distance(b) }
             };
+            // The long ones last.
             let places: Vec<SizeAt> = (0..count).map(place).collect();
             for growth in [0.35, 0.4, 1.0, 1.9] {
-                let growing = grow_fast(&places, growth, MOST);
-                for (edge, own) in places.iter().enumerate() {
-                    let is_near = |other: &SizeAt| {
-                        MOST * (other.size + growth * own.at.distance(other.at)) < own.size
-                    };
-                    let any = places.iter().any(is_near);
-                    assert_eq!(growing.contains(&edge), any, "{count} {growth} {edge}");
-                    found[usize::from(any)] += 1;
+                for first in [0, places.len() - places.len() / 3] {
+                    let growing = grow_fast(&places, first, growth, MOST);
+                    for (edge, own) in places.iter().enumerate() {
+                        let is_near = |other: &SizeAt| {
+                            MOST * (other.size + growth * own.at.distance(other.at)) < own.size
+                        };
+                        let others = if edge < first { &places[first..] } else { &places };
+                        let any = others.iter().any(is_near);
+                        assert_eq!(growing.contains(&edge), any, "{count} {growth} {first} {edge}");
+                        found[usize::from(any)] += 1;
+                    }
                 }
             }
         }

@@ -203,6 +203,7 @@ struct Rim {
 }
 
 /// The surroundings of a narrow place.
+#[derive(Clone)]
 pub(super) struct Around {
     rings: Vec<Vec<Rim>>,
     inner: Vec<DVec2>,
@@ -216,9 +217,31 @@ impl Around {
         shores: &[Vec<u32>],
         step: Option<Step>,
     ) -> Option<Meshed> {
+        let rings = self.rings.iter().map(|ring| corners(chains, ring, step)).collect();
+        self.mesh_of(rings, chains, shores)
+    }
+
+    /// The same without a change: as it was where it is what was meshed.
+    pub(super) fn meshed_again(
+        &self,
+        chains: &Chains,
+        shores: &[Vec<u32>],
+        was: Option<&Meshed>,
+    ) -> Option<Meshed> {
+        let rings = self.rings.iter().map(|ring| corners(chains, ring, None)).collect();
+        match was {
+            Some(was) if was.rings == rings && was.inner == self.inner => Some(was.clone()),
+            _ => self.mesh_of(rings, chains, shores),
+        }
+    }
+
+    fn mesh_of(
+        &self,
+        rings: Vec<Vec<Corner>>,
+        chains: &Chains,
+        shores: &[Vec<u32>],
+    ) -> Option<Meshed> {
         let at_shores: BTreeSet<u32> = shores.iter().flatten().copied().collect();
-        let rings: Vec<Vec<Corner>> =
-            self.rings.iter().map(|ring| corners(chains, ring, step)).collect();
         let vertices: Vec<Option<u32>> =
             rings.iter().flatten().map(|corner| corner.vertex).collect();
         let points: Vec<Vec<DVec2>> =
@@ -238,19 +261,25 @@ impl Around {
         let is_beside =
             |corners: &&[u32; 3]| corners.iter().filter(|v| worst.contains(v)).count() > 1;
         let beside = mesh.triangles.iter().filter(is_beside).flatten().filter_map(of_chains);
-        Some(Meshed { angle, beside: beside.collect() })
+        let (beside, inner) = (beside.collect(), self.inner.clone());
+        Some(Meshed { angle, beside, rings, inner })
     }
 }
 
 /// The measures of a mesh of surroundings.
+#[derive(Clone)]
 pub(super) struct Meshed {
     /// The minimum angle of the triangles at the shores, in degrees.
     pub(super) angle: f64,
     /// The vertices of the chains at the triangle that has it and beside it.
     pub(super) beside: BTreeSet<u32>,
+    /// The polygon that was meshed, and the points inside that stay.
+    rings: Vec<Vec<Corner>>,
+    inner: Vec<DVec2>,
 }
 
 /// A corner of the polygon that is meshed.
+#[derive(Clone, PartialEq)]
 struct Corner {
     at: DVec2,
     vertex: Option<u32>,

@@ -3,8 +3,8 @@
 //! Vertices that are nearer to each other than a tolerance become the first of them, and an edge that passes a vertex so
 //! near goes through it. A place that several polygons cover becomes that of the first.
 
-use mindeg_mesh::number;
 use mindeg_mesh::planar::doubled_area;
+use mindeg_mesh::{listed, number};
 use std::collections::BTreeMap;
 
 use glam::DVec2;
@@ -23,6 +23,8 @@ use crate::vertices::Vertices;
 
 /// How often edges are led through near vertices, which may bring them near to others.
 const ROUNDS: usize = 10;
+/// So many polygons that are left out are named.
+const NAMED: usize = 5;
 
 impl Outlines {
     /// The same polygons without overlaps and crossings, and with the points of neighbours on shared borders. Points
@@ -193,7 +195,8 @@ impl Done {
             ));
         }
         if !self.vanished.is_empty() {
-            said.push(format!("left out {}, which bound no area", self.vanished.join(", ")));
+            let names = listed(self.vanished.clone(), NAMED, ", ");
+            said.push(format!("left out {names}, which bound no area"));
         }
         if said.is_empty() {
             said.push("nothing to do".to_owned());
