@@ -11,7 +11,7 @@ const EXAMPLES: &str = "\
 Examples:
   mindeg tradeoff assets/domains/wing-panel.json
   mindeg tradeoff --rectangle 4x3 --intervals 12,9,4,4 -o curve.html
-  mindeg tradeoff assets/domains/dominated-side.json --limit 10";
+  mindeg tradeoff assets/domains/plate-with-holes.json --limit 6";
 
 /// Tell how large the minimum angle can be for each maximum degree
 ///

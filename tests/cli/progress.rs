@@ -57,12 +57,12 @@ fn share_and_time_show_while_files_are_written() {
 fn triangles_rate_and_time_show_while_the_mesh_is_chosen() {
     // A demand that no mesh meets: nothing is written.
     let command = "RAYON_NUM_THREADS=1 \"$MINDEG\" mesh --rectangle 4x3 -o /dev/null --format obj \
-                   --intervals 1500000,1500000,1500000,1500000 --spacing geometric:1.0000025 \
+                   --intervals 1000000,1000000,1000000,1000000 --spacing geometric:1.000004 \
                    --target-angle 60 2>&1";
     let Some(run) = shell(command, true) else { return };
     let shown = run.text();
-    let words = ["choosing the mesh ", "% of 24 million triangles, ", " million/s, ", "s left"];
-    for word in words.into_iter().chain(["measuring the angles ", "% of 6 million triangles"]) {
+    let words = ["choosing the mesh ", "% of 16 million triangles, ", " million/s, ", "s left"];
+    for word in words.into_iter().chain(["measuring the angles ", "% of 4 million triangles"]) {
         assert!(shown.contains(word), "{word:?} is missing in {shown:?}");
     }
     assert!(shown.contains("below the target angle of 60°"));
@@ -88,7 +88,7 @@ fn time_shows_while_methods_are_compared() {
     let folder = tempfile::tempdir().expect("a folder");
     let report = folder.path().join("report.json");
     // Ear clipping would take longer.
-    let command = "\"$MINDEG\" compare --rectangle 4x3 --intervals 20000,20000,20000,20000 \
+    let command = "\"$MINDEG\" compare --rectangle 4x3 --intervals 8000,8000,8000,8000 \
                    --time-limit 1.7 -o \"$REPORT\"";
     let command = command.replace("$REPORT", report.to_str().expect("paths here are UTF-8"));
     let Some(run) = shell(&command, true) else { return };
