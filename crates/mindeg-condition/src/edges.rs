@@ -74,9 +74,10 @@ impl Chains {
         let roomy = libm::atan(room * libm::tan(demands.angle.to_radians())).to_degrees();
         let too_long = fresh.iter().flat_map(|vertex| self.to_divide(*vertex, demands));
         let fresh: Vec<u32> = fresh.iter().copied().filter(|v| self.is_edge(*v)).collect();
-        let in_straits = self.in_straits(&fresh, roomy, demands.angle).into_iter();
+        let (edges, from) = self.edges_with_last(&fresh);
+        let in_straits = self.in_straits(&edges, from, roomy, demands.angle).into_iter();
         let in_straits = in_straits.map(|edge| (edge, Why::Strait));
-        let growing = self.growing(&fresh, demands.growth).into_iter();
+        let growing = self.growing(&edges, from, demands.growth).into_iter();
         let growing = growing.map(|edge| (edge, Why::Growth));
         let mut long: BTreeMap<u32, Why> = BTreeMap::new();
         for (edge, why) in too_long.chain(in_straits).chain(growing) {
@@ -109,23 +110,32 @@ impl Chains {
         long
     }
 
-    /// The edges that are too long for one near them and `growth` times their distance, if one of the two is of `fresh`; none without growth.
-    fn growing(&self, fresh: &[u32], growth: f64) -> Vec<u32> {
+    /// All edges, some of them last, and how many come before these.
+    fn edges_with_last(&self, last: &[u32]) -> (Vec<u32>, usize) {
+        let mut is_last = vec![false; self.vertices.len()];
+        last.iter().for_each(|edge| is_last[*edge as usize] = true);
+        let mut edges: Vec<u32> = self.edges().filter(|edge| !is_last[*edge as usize]).collect();
+        let before = edges.len();
+        edges.extend(last);
+        (edges, before)
+    }
+
+    /// The edges that are too long for one near them and `growth` times their distance, if one of the two is from the index `from` on; none
+    /// without growth.
+    fn growing(&self, edges: &[u32], from: usize, growth: f64) -> Vec<u32> {
         if growth == 0.0 {
             return Vec::new();
         }
-        let (edges, first) = self.edges_with_last(fresh);
         let place = |edge: &u32| SizeAt { at: self.middle(*edge), size: self.length(*edge) };
         let places: Vec<SizeAt> = edges.iter().map(place).collect();
-        let growing = grow_fast(&places, first, growth, LONGEST).into_iter();
+        let growing = grow_fast(&places, from, growth, LONGEST).into_iter();
         growing.map(|index| edges[index]).collect()
     }
 
     /// The limit of the whole, in degrees.
     pub(crate) fn limit_of_all(&self) -> f64 {
         let least = self.alive().map(|v| self.limit(v)).fold(60.0, f64::min);
-        let edges: Vec<u32> = self.edges().collect();
-        self.tents(&edges, least).into_iter().map(|tent| tent.0).fold(least, f64::min)
+        self.tents(least).into_iter().map(|tent| tent.0).fold(least, f64::min)
     }
 
     /// The places that stay below the demanded angle.
@@ -150,8 +160,7 @@ impl Chains {
             left.push(Left { at: self.at(vertex), limit, reason });
         }
         let arms = Arms::of(self);
-        let all: Vec<u32> = self.edges().collect();
-        for (limit, edges) in self.tents(&all, demands.angle) {
+        for (limit, edges) in self.tents(demands.angle) {
             // The corner between them is there already.
             if arms.least_between(self, edges).is_some_and(|least| least <= limit) {
                 continue;

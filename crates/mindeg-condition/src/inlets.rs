@@ -59,7 +59,6 @@ const DIRECTIONS: usize = 8;
 type Shores = Vec<Vec<u32>>;
 
 /// A place whose triangles may be too thin.
-#[derive(Clone)]
 struct Place {
     shores: Shores,
     around: Around,
@@ -105,7 +104,7 @@ impl Chains {
                 }
                 // Or have mended it.
                 let was = Some(&place.meshed);
-                if is_changed && let Some(now) = place.around.meshed_again(self, &place.shores, was)
+                if is_changed && let Some(now) = place.around.meshed(self, &place.shores, None, was)
                 {
                     place.meshed = now;
                 }
@@ -141,7 +140,7 @@ impl Chains {
         let mut small = |all: Vec<Shores>| -> Vec<Place> {
             let places = map_all(all, |shores| {
                 let around = whole.around(&shores)?;
-                let meshed = around.meshed_again(self, &shores, known.get(&shores))?;
+                let meshed = around.meshed(self, &shores, None, known.get(&shores))?;
                 Some(Place { shores, around, meshed })
             });
             let places: Vec<Place> = places.into_iter().flatten().collect();
@@ -245,7 +244,7 @@ impl Chains {
                 break;
             }
             *meshes -= 1;
-            let Some(meshed) = place.around.meshed(self, &place.shores, Some(*step)) else {
+            let Some(meshed) = place.around.meshed(self, &place.shores, Some(*step), None) else {
                 continue;
             };
             let angle = meshed.angle;

@@ -37,8 +37,7 @@ impl Chains {
     /// The points that are nearer than a width to an edge across water, each with its way to half of that.
     fn too_near(&self, width: f64) -> BTreeMap<u32, DVec2> {
         let mut nearest: BTreeMap<u32, (f64, DVec2)> = BTreeMap::new();
-        let edges: Vec<u32> = self.edges().collect();
-        for (_, [one, other]) in self.tents(&edges, STEEP) {
+        for (_, [one, other]) in self.tents(STEEP) {
             let ends = [one, other].map(|edge| [edge, self.next(edge)]);
             let shared =
                 ends[0].iter().any(|v| ends[1].iter().any(|w| self.place(*v) == self.place(*w)));

@@ -10,13 +10,17 @@ const BESIDE: usize = 4;
 const STRAIGHT: f64 = 1.0;
 
 impl Chains {
-    /// The pairs of edges, one of `fresh`, whose tents of an angle meet, each with the angle from which on they do.
-    pub(crate) fn tents(&self, fresh: &[u32], angle: f64) -> Vec<(f64, [u32; 2])> {
+    /// The pairs of edges whose tents of an angle meet, each with the angle from which on they do.
+    pub(crate) fn tents(&self, angle: f64) -> Vec<(f64, [u32; 2])> {
+        self.tents_of(&self.edges().collect::<Vec<u32>>(), 0, angle)
+    }
+
+    /// The same with one of the edges from the index `from` on.
+    fn tents_of(&self, all: &[u32], from: usize, angle: f64) -> Vec<(f64, [u32; 2])> {
         let (mut edges, mut names) = (Vec::new(), Vec::new());
-        let (all, from) = self.edges_with_last(fresh);
         let has_domain = |edge: u32| self.vertices[edge as usize].has_domain;
         let first = all[..from].iter().flat_map(|edge| has_domain(*edge)).filter(|is| *is).count();
-        for edge in all {
+        for &edge in all {
             let ends = [edge, self.next(edge)].map(|v| self.place(v));
             let [left, right] = has_domain(edge);
             edges.extend(left.then_some(ends));
@@ -27,18 +31,14 @@ impl Chains {
         tents.map(|tent| (tent.angle, tent.edges.map(|edge| names[edge as usize]))).collect()
     }
 
-    /// All edges, some of them last, and how many come before these.
-    pub(crate) fn edges_with_last(&self, last: &[u32]) -> (Vec<u32>, usize) {
-        let mut is_last = vec![false; self.vertices.len()];
-        last.iter().for_each(|edge| is_last[*edge as usize] = true);
-        let mut edges: Vec<u32> = self.edges().filter(|edge| !is_last[*edge as usize]).collect();
-        let before = edges.len();
-        edges.extend(last);
-        (edges, before)
-    }
-
-    /// The longer edge of each pair whose tents meet, if one is of `fresh`.
-    pub(crate) fn in_straits(&self, fresh: &[u32], angle: f64, demanded: f64) -> Vec<u32> {
+    /// The longer edge of each pair whose tents meet, if one is of the edges from the index `from` on.
+    pub(crate) fn in_straits(
+        &self,
+        edges: &[u32],
+        from: usize,
+        angle: f64,
+        demanded: f64,
+    ) -> Vec<u32> {
         let longer = |[a, b]: [u32; 2]| match self.beside_whole([a, b]) {
             Some([_, other]) => other,
             None if self.length(a) >= self.length(b) => a,
@@ -52,7 +52,11 @@ impl Chains {
             let whole = Some(self.least_beside_whole(pair)).filter(|least| *least < angle);
             corner.into_iter().chain(whole).all(|least| limit < demanded && least >= demanded)
         };
-        self.tents(fresh, angle).into_iter().filter(is_of_use).map(|tent| longer(tent.1)).collect()
+        self.tents_of(edges, from, angle)
+            .into_iter()
+            .filter(is_of_use)
+            .map(|tent| longer(tent.1))
+            .collect()
     }
 
     /// The edge of two that stays whole, and then the other; none if both do, or none.

@@ -294,7 +294,7 @@ proptest! {
 #[test]
 fn a_coast_of_a_size_without_narrow_places_stays_as_it_is() {
     let mut changed = 0;
-    for seed in 0..12 {
+    for seed in 0..20 {
         let Ok(boundary) = PlanarBoundary::new(&coast(80, seed)) else { continue };
         let demands = BoundaryDemands { narrowest: 1.2, ..BoundaryDemands::of_size(2.0) };
         let found = condition(&boundary, &demands, |_| Hold::Free).unwrap();
@@ -310,7 +310,7 @@ fn a_coast_of_a_size_without_narrow_places_stays_as_it_is() {
         assert_eq!((&again.changes[..], again.moved), (&[][..], 0.0), "{seed}");
         changed += 1;
     }
-    assert!(changed > 3, "{changed}");
+    assert!(changed > 6, "{changed}");
 }
 
 #[test]

@@ -5,7 +5,7 @@ use crate::cells::{AtPlace, Cells, Sources};
 use crate::edge_tree::{EdgeTree, Item};
 use glam::DVec2;
 use mindeg_domain::SizeAt;
-use mindeg_mesh::parallel::map_chunks;
+use mindeg_mesh::parallel::blocks;
 use mindeg_mesh::planar::PlanarBoundary;
 use std::cell::RefCell;
 use std::ops::Range;
@@ -51,9 +51,6 @@ const GENTLE: f64 = 0.3;
 /// A gentle field may grow by the whole growth up to this share of what a longer edge asks for: corners between short and long
 /// edges need that, or they lose angle.
 const LONGER: f64 = 0.7;
-
-/// So many places are one piece of work for a thread.
-const CHUNK: usize = 4096;
 
 /// With more runs than this that turn, there are cells.
 const MANY_TURNS: usize = 500;
@@ -195,7 +192,8 @@ pub fn grow_fast(places: &[SizeAt], first: usize, growth: f64, most: f64) -> Vec
         tree.least_grown(growth, at, &mut least);
         least < allowed
     };
-    let among = |some: Range<usize>| {
+    let among = |some: Range<u32>| {
+        let some = some.start as usize..some.end as usize;
         let mut found: Vec<usize> = some.clone().filter(grows).collect();
         // Beside a place of the rest one of these may be too large.
         for SizeAt { at, size } in &places[some.start.min(first)..some.end.min(first)] {
@@ -206,7 +204,7 @@ pub fn grow_fast(places: &[SizeAt], first: usize, growth: f64, most: f64) -> Vec
         }
         found
     };
-    let mut found = map_chunks(0..places.len(), CHUNK, among).concat();
+    let mut found = blocks(places.len() as u32, among).concat();
     found.sort_unstable();
     found.dedup();
     found

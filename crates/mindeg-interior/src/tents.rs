@@ -1,22 +1,19 @@
-//! The tent limit: of the minimum angle, from two edges that face each other.
-//!
-//! The triangle on a boundary edge has angles of at least a at both ends, so it contains the isosceles
-//! triangle with base angles a, the tent of the edge. Two edges without a common end never
-//! share a triangle (unless the domain is one triangle), so their tents must not overlap. That holds for any domain, too.
+//! The limits of the minimum angle from two edges that face each other.
 
 use crate::breaklines::Breaklines;
 use crate::edge_tree::{EdgeTree, Item};
 use crate::triangle::cross;
 use glam::DVec2;
-use mindeg_mesh::parallel::map_chunks;
+use mindeg_mesh::parallel::blocks;
 use mindeg_mesh::planar::PlanarBoundary;
 use std::f64::consts::PI;
 use std::ops::Range;
 
-/// So many edges are one piece of work for a thread.
-const CHUNK: usize = 4096;
-
 /// The limit from two boundary edges that face each other.
+///
+/// The triangle on a boundary edge has angles of at least a at both ends, so it contains the isosceles
+/// triangle with base angles a, the tent of the edge. Two edges without a common end never
+/// share a triangle (unless the domain is one triangle), so their tents must not overlap. That holds for any domain.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TentLimit {
     /// No mesh has a greater minimum angle, in degrees.
@@ -52,15 +49,15 @@ pub fn tents_below(
     below: f64,
 ) -> Vec<TentLimit> {
     let tents = Tents::of_edges(edges, first, at);
-    let among = |edges| {
+    let among = |edges: Range<u32>| {
         let mut found = Vec::new();
-        tents.near(edges, &mut || below, &mut |pair| {
+        tents.near(edges.start as usize..edges.end as usize, &mut || below, &mut |pair| {
             let angle = tents.touching_angle(pair, below);
             found.push(TentLimit { angle, edges: pair.map(|edge| edge as u32) });
         });
         found
     };
-    map_chunks(0..edges.len(), CHUNK, among).concat()
+    blocks(edges.len() as u32, among).concat()
 }
 
 /// The tent limit of each vertex of an outline and of lines in degrees: that of its edges, `most` where it is more. So

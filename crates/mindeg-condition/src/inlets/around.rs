@@ -203,44 +203,25 @@ struct Rim {
 }
 
 /// The surroundings of a narrow place.
-#[derive(Clone)]
 pub(super) struct Around {
     rings: Vec<Vec<Rim>>,
     inner: Vec<DVec2>,
 }
 
 impl Around {
-    /// Meshes it with the chains as they are now and a change; none if there is no mesh.
+    /// Meshes it with the chains as they are now and a change; gives `was` where that is what was meshed, and none if there is no mesh.
     pub(super) fn meshed(
         &self,
         chains: &Chains,
         shores: &[Vec<u32>],
         step: Option<Step>,
-    ) -> Option<Meshed> {
-        let rings = self.rings.iter().map(|ring| corners(chains, ring, step)).collect();
-        self.mesh_of(rings, chains, shores)
-    }
-
-    /// The same without a change: as it was where it is what was meshed.
-    pub(super) fn meshed_again(
-        &self,
-        chains: &Chains,
-        shores: &[Vec<u32>],
         was: Option<&Meshed>,
     ) -> Option<Meshed> {
-        let rings = self.rings.iter().map(|ring| corners(chains, ring, None)).collect();
-        match was {
-            Some(was) if was.rings == rings && was.inner == self.inner => Some(was.clone()),
-            _ => self.mesh_of(rings, chains, shores),
+        let rings: Vec<Vec<Corner>> =
+            self.rings.iter().map(|ring| corners(chains, ring, step)).collect();
+        if let Some(was) = was.filter(|was| was.rings == rings && was.inner == self.inner) {
+            return Some(was.clone());
         }
-    }
-
-    fn mesh_of(
-        &self,
-        rings: Vec<Vec<Corner>>,
-        chains: &Chains,
-        shores: &[Vec<u32>],
-    ) -> Option<Meshed> {
         let at_shores: BTreeSet<u32> = shores.iter().flatten().copied().collect();
         let vertices: Vec<Option<u32>> =
             rings.iter().flatten().map(|corner| corner.vertex).collect();

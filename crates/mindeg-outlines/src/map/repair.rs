@@ -195,7 +195,7 @@ impl Done {
             ));
         }
         if !self.vanished.is_empty() {
-            let names = listed(self.vanished.clone(), NAMED, ", ");
+            let names = listed(self.vanished.iter().cloned(), NAMED, ", ");
             said.push(format!("left out {names}, which bound no area"));
         }
         if said.is_empty() {
