@@ -1,11 +1,9 @@
 //! From the body of a request to the lines of its answer, the fast ones first.
 
-use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use mindeg::exact::trade_off;
-use mindeg::interior::InteriorMesh;
-use mindeg::{BoundaryMesh, Domain, Goal, is_by_formula};
+use mindeg::{BoundaryMesh, Domain, Goal, TriMesh, is_by_formula};
 use mindeg_answers::advice::{Advice, AdviceAnswer, AdvisedMesh, NoPoints, Purpose};
 use mindeg_answers::degree::DegreeReport;
 use mindeg_answers::on_edges::is_poor;
@@ -182,7 +180,12 @@ impl Answering<'_> {
     /// The meshes that need no search, if those of [`Self::soon`] are not enough.
     fn drafts(&mut self, is_enough: bool) -> Result<(), Cancelled> {
         if self.shows(Part::Interior) {
-            self.interior()?;
+            let draft = Made::draft(self.domain, self.progress);
+            self.unless_cancelled()?;
+            match draft {
+                Ok(draft) => self.show_draft(&draft, "The mesh follows when the corner rests."),
+                Err(error) => (self.out)(&refused(Some(Part::Interior), no_interior(&error))),
+            }
         }
         if !is_enough && is_by_formula(self.domain) {
             self.first_meshes()?;
@@ -195,29 +198,20 @@ impl Answering<'_> {
 
     /// The mesh with points inside, and before it its draft: a picture that follows a corner must not wait.
     fn interior(&mut self) -> Result<(), Cancelled> {
-        let Answering { request, domain, .. } = *self;
-        let mut is_enough = false;
+        let (domain, progress) = (self.domain, self.progress);
         let made = if self.shows(Part::Interior) {
-            let mut show = |draft: InteriorMesh| {
-                let shown = Figure::draft(domain, &draft).shown(View::Interior, false, request);
-                (self.out)(&AnswerLine::Mesh(Box::new(shown)));
-                is_enough = request.drafts_only;
-                if is_enough { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-            };
-            Made::interior(domain, Some(&mut show), self.progress)
+            let mut show = |draft: TriMesh| self.show_draft(&draft, "A better mesh is looked for.");
+            Made::interior(domain, Some(&mut show), progress)
         } else {
-            Made::interior(domain, None, self.progress)
+            Made::interior(domain, None, progress)
         };
         self.unless_cancelled()?;
-        if is_enough {
-            return Ok(());
-        }
         match made {
             Ok(made) => {
                 self.note(&made);
                 if self.shows(Part::Interior) {
                     let figure = Figure::made(domain, &made);
-                    let shown = figure.shown(View::Interior, true, request);
+                    let shown = figure.shown(View::Interior, true, self.request);
                     (self.out)(&AnswerLine::Mesh(Box::new(shown)));
                 }
             }
@@ -229,6 +223,13 @@ impl Answering<'_> {
             }
         }
         Ok(())
+    }
+
+    /// Shows a mesh with points inside until another one comes.
+    fn show_draft(&mut self, draft: &TriMesh, what_follows: &str) {
+        let figure = Figure::draft(self.domain, draft, what_follows);
+        let shown = figure.shown(View::Interior, false, self.request);
+        (self.out)(&AnswerLine::Mesh(Box::new(shown)));
     }
 
     /// The advice, for which the meshes that are not there yet are made.

@@ -1,6 +1,5 @@
 //! The meshes of a domain that the page shows and downloads.
 
-use std::ops::ControlFlow;
 use std::time::Duration;
 
 use mindeg::MeshError;
@@ -14,6 +13,10 @@ use crate::api::{Request, View};
 
 /// How long a Delaunay triangulation may take.
 const DELAUNAY_TIME: Duration = Duration::from_secs(20);
+
+/// A mesh that follows a corner while it moves has about so many points at most: what is more, a browser without a graphics card draws too
+/// slowly.
+const DRAFT_POINTS: usize = 2500;
 
 /// A mesh, and how it was found.
 pub(crate) enum Made {
@@ -59,11 +62,20 @@ impl Made {
     /// The errors of [`interior::mesh_showing`].
     pub(crate) fn interior(
         domain: &Domain,
-        show: Option<&mut dyn FnMut(InteriorMesh) -> ControlFlow<()>>,
+        show: Option<&mut dyn FnMut(TriMesh)>,
         progress: Progress<'_>,
     ) -> Result<Self, InteriorError> {
         let found = interior::mesh_showing(domain, &advised_interior(domain), show, progress)?;
         Ok(Self::Interior(Box::new(found)))
+    }
+
+    /// A mesh with points inside that takes milliseconds.
+    ///
+    /// # Errors
+    ///
+    /// The errors of [`interior::draft`].
+    pub(crate) fn draft(domain: &Domain, progress: Progress<'_>) -> Result<TriMesh, InteriorError> {
+        interior::draft(domain, &advised_interior(domain), DRAFT_POINTS, progress)
     }
 
     /// For writers.

@@ -116,10 +116,10 @@ impl Figure {
         Self { words, ..figure }
     }
 
-    /// A mesh with points inside, to show until it is worked on.
-    pub(crate) fn draft(domain: &Domain, draft: &InteriorMesh) -> Self {
-        let figure = Self::listed(domain, &draft.mesh);
-        let words = figure.in_short() + " A better mesh is looked for.";
+    /// A mesh with points inside, to show until another one follows.
+    pub(crate) fn draft(domain: &Domain, draft: &TriMesh, what_follows: &str) -> Self {
+        let figure = Self::listed(domain, draft);
+        let words = format!("{} {what_follows}", figure.in_short());
         Self { words, ..figure }
     }
 

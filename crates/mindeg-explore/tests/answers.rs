@@ -299,9 +299,28 @@ fn drafts_alone_are_the_first_meshes_of_the_whole_answer() {
         for name in ["interior", "wanted"] {
             let first = |lines: &[Value]| {
                 let is_it = |line: &&Value| line["kind"] == "mesh" && line["view"] == name;
-                lines.iter().find(is_it).cloned()
+                let mut mesh = lines.iter().find(is_it).cloned().unwrap();
+                // What follows is another one.
+                mesh["words"].take();
+                mesh
             };
             assert_eq!(first(&drafts), first(&whole), "{name}");
         }
     }
+}
+
+#[test]
+fn a_draft_of_many_points_has_fewer_inside() {
+    let domain = json!({"rectangle": {"width": 4, "height": 2}, "size": 0.03});
+    let mut request = json!({"domain": domain, "view": "interior", "show": ["interior"]});
+    let vertices = |request: &Value| {
+        let lines = lines(request);
+        let mesh = lines.iter().find(|line| line["kind"] == "mesh").unwrap();
+        assert_eq!(mesh["is_last"], false);
+        mesh["degree_bars"].as_array().unwrap().iter().map(|bar| bar[1].as_u64().unwrap()).sum()
+    };
+    let first: u64 = vertices(&request);
+    request["drafts_only"] = json!(true);
+    let draft: u64 = vertices(&request);
+    assert!(first > 9000 && (2000..4000).contains(&draft), "{first} and {draft} vertices");
 }

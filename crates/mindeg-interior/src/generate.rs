@@ -8,6 +8,7 @@ use crate::fixed::{breaklines, crowded};
 use crate::goal::{Goal, Weights, goals};
 use crate::joined::report_joined;
 use crate::lengths::SizeReport;
+use crate::limits::Limits;
 use crate::measure::{Wanted, degrees_at_boundary, measure};
 use crate::optimise::{Pairs, optimise};
 use crate::options::{InteriorError, Options, check_coordinates, check_room, rounding};
@@ -22,14 +23,13 @@ use crate::triangle::SQRT_3;
 use crate::verdict::{Gain, check_target, counted, floor, gain, is_enough, is_large};
 use glam::DVec2;
 use mindeg_domain::{Prefer, Size, SizeAt};
+use mindeg_mesh::Progress;
 use mindeg_mesh::planar::PlanarBoundary;
-use mindeg_mesh::{Cancelled, Progress};
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
-/// A mesh and what it is like.
+/// A mesh and what it is like; a draft has no measures.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Generated {
+pub struct Generated<R = InteriorReport> {
     /// The boundary points, bit for bit and in the outline's order; its inner points; the others.
     pub points: Vec<DVec2>,
     /// Counter-clockwise triangles.
@@ -37,7 +37,7 @@ pub struct Generated {
     /// The edges that the segments of lines consist of, in their order.
     pub line_edges: Vec<[u32; 2]>,
     /// The measures of the mesh that was reached.
-    pub report: InteriorReport,
+    pub report: R,
 }
 
 /// One way to begin: growth over the wanted growth, least distance of points in sizes, whether to search
@@ -50,8 +50,11 @@ struct Seed {
     trials: f64,
 }
 
+/// The least distance of points in the first seed, in sizes.
+pub(crate) const SPACING: f64 = 0.75;
+
 const SEEDS: [Seed; 5] = [
-    Seed { growth: 1.0, spacing: 0.75, pairs: false, trials: 1.0 },
+    Seed { growth: 1.0, spacing: SPACING, pairs: false, trials: 1.0 },
     Seed { growth: 1.0, spacing: 0.75, pairs: true, trials: 0.3 },
     Seed { growth: 1.0, spacing: 0.8, pairs: true, trials: 0.3 },
     Seed { growth: 1.2, spacing: 0.75, pairs: true, trials: 0.3 },
@@ -75,15 +78,19 @@ impl Begun {
 }
 
 /// The aims at what stays, for one way to divide lines.
-struct Aims {
+pub(crate) struct Aims {
     prefer: Prefer,
     breaklines: Breaklines,
-    stars: Stars,
-    goals: Vec<Goal>,
+    pub(crate) stars: Stars,
+    pub(crate) goals: Vec<Goal>,
 }
 
 impl Aims {
-    fn new(outline: &PlanarBoundary, breaklines: &Breaklines, options: &Options) -> Self {
+    pub(crate) fn new(
+        outline: &PlanarBoundary,
+        breaklines: &Breaklines,
+        options: &Options,
+    ) -> Self {
         let stars = options.stars(outline, breaklines);
         let goals = goals(outline, breaklines, &stars, options);
         Self { prefer: options.wanted.prefer(), breaklines: breaklines.clone(), stars, goals }
@@ -127,7 +134,6 @@ pub fn generate_once(
 }
 
 /// [`generate`]; `show`, if it is given, gets the mesh of the first packing, before it is worked on: that takes most of the time.
-/// If it breaks, the work ends.
 ///
 /// # Errors
 ///
@@ -135,20 +141,17 @@ pub fn generate_once(
 pub fn generate_showing(
     outline: &PlanarBoundary,
     options: &Options,
-    show: Option<&mut dyn FnMut(Generated) -> ControlFlow<()>>,
+    show: Option<&mut dyn FnMut(Generated<()>)>,
     progress: Progress<'_>,
 ) -> Result<Generated, InteriorError> {
     generate_of(outline, options, usize::MAX, show, progress)
 }
 
-/// [`generate`] with so many starts at most.
-fn generate_of(
+/// The limits of a boundary where points can be put as wanted.
+pub(crate) fn checked(
     outline: &PlanarBoundary,
     options: &Options,
-    starts: usize,
-    mut show: Option<&mut dyn FnMut(Generated) -> ControlFlow<()>>,
-    progress: Progress<'_>,
-) -> Result<Generated, InteriorError> {
+) -> Result<Limits, InteriorError> {
     options.check()?;
     check_coordinates(outline)?;
     let rounding = rounding(outline);
@@ -158,6 +161,18 @@ fn generate_of(
     }
     let limits = options.limits(outline, |_| 0);
     check_target(&limits, options)?;
+    Ok(limits)
+}
+
+/// [`generate`] with so many starts at most.
+fn generate_of(
+    outline: &PlanarBoundary,
+    options: &Options,
+    starts: usize,
+    mut show: Option<&mut dyn FnMut(Generated<()>)>,
+    progress: Progress<'_>,
+) -> Result<Generated, InteriorError> {
+    let limits = checked(outline, options)?;
     let floor = floor(options);
     let mut best: Option<Generated> = None;
     let mut wanted_sizes = None;
@@ -182,16 +197,20 @@ fn generate_of(
         let known = aims.take().filter(|aims| aims.are_of(*prefer, &breaklines));
         let known = known.unwrap_or_else(|| Aims::new(outline, &breaklines, &way));
         let Aims { stars, goals, .. } = &*aims.insert(known);
-        let about = about_points(outline, &field);
-        if about > 2.0 * options.wanted.max_points() as f64 {
-            return Err(InteriorError::TooManyPoints { max: options.wanted.max_points() });
-        }
+        let about = about_checked(outline, options, &field)?;
         let start = Start { outline, stars, goals, breaklines: &breaklines, field: &field, about };
         let end = end_of_try(index, tries.len(), about);
         let stays = outline.points().len() + breaklines.points.len();
         stage.section(end_of_start(&stage, end, about, stays));
-        let mut mesh =
-            start.mesh(seed.spacing, floor, options.wanted.max_points(), None, &mut stage)?;
+        let most = options.wanted.max_points();
+        let packing = start.packing(seed.spacing, floor, most, None, &mut stage)?;
+        // Without a point inside it is no picture of what comes.
+        if packing.vertices.len() > stays
+            && let Some(show) = show.take()
+        {
+            show(Generated::packed(&packing, &breaklines));
+        }
+        let mut mesh = start.linked(packing)?;
         let own = Begun::new(*prefer, seed, &mesh);
         if begun.contains(&own) {
             in_vain += 1;
@@ -219,14 +238,6 @@ fn generate_of(
             report_joined(&mut report, outline, stars, &way, (&points, &triangles));
             Generated { points, triangles, line_edges: breaklines.edges.clone(), report }
         };
-        // Without a point inside it is no picture of what comes.
-        if mesh.vertices.len() > stays
-            && mesh.check().is_ok()
-            && let Some(show) = show.take()
-            && show(measured(&mesh)).is_break()
-        {
-            return Err(InteriorError::Cancelled(Cancelled));
-        }
         let weights = if seed.pairs { Weights::pairs } else { Weights::single };
         let weights = weights(&way, floor);
         let pairs = seed.pairs.then_some(Pairs::FOR_A_TRY);
@@ -301,8 +312,21 @@ fn about_points(outline: &PlanarBoundary, field: &SizeField) -> f64 {
     sum * 2.0 / SQRT_3
 }
 
+/// The same, if a mesh may have so many.
+pub(crate) fn about_checked(
+    outline: &PlanarBoundary,
+    options: &Options,
+    field: &SizeField,
+) -> Result<f64, InteriorError> {
+    let (about, max) = (about_points(outline, field), options.wanted.max_points());
+    match about > 2.0 * max as f64 {
+        true => Err(InteriorError::TooManyPoints { max }),
+        false => Ok(about),
+    }
+}
+
 /// The size field, with inner points and lines taken in; a gentle one, unless sizes far from the boundary are asked for.
-fn size_field(
+pub(crate) fn size_field(
     outline: &PlanarBoundary,
     options: &Options,
     is_gentle: bool,

@@ -70,6 +70,7 @@ mod cells;
 mod chains;
 mod compass;
 mod disc;
+mod draft;
 mod ears;
 mod edge_limits;
 mod edge_tree;
@@ -119,6 +120,7 @@ mod verdict;
 mod worth;
 
 pub use asked::size_of_area;
+pub use draft::draft;
 pub use edge_limits::edge_limit;
 pub use generate::{Generated, generate, generate_once, generate_showing};
 pub use improve::{Improved, Keep, improve};

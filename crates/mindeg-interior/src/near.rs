@@ -89,28 +89,59 @@ impl Near {
         (best.0 != NONE).then(|| (best.0, best.1.sqrt()))
     }
 
+    /// Whether any point is nearer than `within`: as [`Self::nearest`], and ends at the first.
+    pub(crate) fn has(&self, x: DVec2, within: f64) -> bool {
+        self.meets(0, self.middle, self.half, x, within * within)
+    }
+
+    fn meets(&self, at: usize, middle: DVec2, half: f64, x: DVec2, squared: f64) -> bool {
+        let cell = self.cells[at];
+        if cell.children == 0 {
+            return self.list(cell).any(|(_, point)| point.distance_squared(x) < squared);
+        }
+        nearest_first(middle, half, x).into_iter().any(|(child, middle, half, beyond)| {
+            beyond < squared && self.meets(cell.children as usize + child, middle, half, x, squared)
+        })
+    }
+
+    /// The points of a leaf.
+    fn list(&self, leaf: Cell) -> impl Iterator<Item = (u32, DVec2)> {
+        let mut next = leaf.head;
+        std::iter::from_fn(move || {
+            let point = next;
+            next = *self.next.get(point as usize)?;
+            Some((point, self.points[point as usize]))
+        })
+    }
+
     fn search(&self, at: usize, middle: DVec2, half: f64, x: DVec2, best: &mut (u32, f64)) {
         let cell = self.cells[at];
         if cell.children == 0 {
-            let mut point = cell.head;
-            while point != NONE {
-                let squared = self.points[point as usize].distance_squared(x);
+            for (index, point) in self.list(cell) {
+                let squared = point.distance_squared(x);
                 if squared < best.1 {
-                    *best = (point, squared);
+                    *best = (index, squared);
                 }
-                point = self.next[point as usize];
             }
             return;
         }
-        let first = quadrant(x, middle);
-        for quadrant in [first, first ^ 1, first ^ 2, first ^ 3] {
-            let (middle, half) = (middle + offset(quadrant) * (half / 2.0), half / 2.0);
-            let beyond = ((x - middle).abs() - DVec2::splat(half)).max(DVec2::ZERO);
-            if beyond.length_squared() < best.1 {
-                self.search(cell.children as usize + quadrant, middle, half, x, best);
+        for (child, middle, half, beyond) in nearest_first(middle, half, x) {
+            if beyond < best.1 {
+                self.search(cell.children as usize + child, middle, half, x, best);
             }
         }
     }
+}
+
+/// The quarters of a cell, that of `x` first: their number, middle and half side, and how far they are at least from `x`, squared, as
+/// the lines through the middle tell.
+fn nearest_first(middle: DVec2, half: f64, x: DVec2) -> [(usize, DVec2, f64, f64); 4] {
+    let (first, half, away) = (quadrant(x, middle), half / 2.0, x - middle);
+    let [across, up] = [away.x * away.x, away.y * away.y];
+    [(0, 0.0), (1, across), (2, up), (3, across + up)].map(|(bits, beyond)| {
+        let quadrant = first ^ bits;
+        (quadrant, middle + offset(quadrant) * half, half, beyond)
+    })
 }
 
 fn quadrant(point: DVec2, middle: DVec2) -> usize {
@@ -144,6 +175,8 @@ mod tests {
                 let found = near.nearest(x, f64::INFINITY).unwrap();
                 prop_assert!((found.1 - brute).abs() <= 1e-12 * brute);
                 prop_assert!(near.nearest(x, brute * 0.999).is_none());
+                let both = [0.999, 1.001].map(|share| near.has(x, brute * share));
+                prop_assert_eq!(both, [false, brute > 0.0]);
             }
         }
 

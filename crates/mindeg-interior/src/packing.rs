@@ -74,6 +74,9 @@ const TO_ENDS: f64 = 0.98;
 /// Nearer to an edge than this share of size or edge length, no point is put.
 const CLEARANCE: f64 = 0.45;
 
+/// Above rounding.
+const HAIR: f64 = 1.0 + 1e-9;
+
 impl Ground<'_> {
     /// Interior points and their sizes, without the fixed ones.
     pub(crate) fn pack(
@@ -224,8 +227,9 @@ impl Ground<'_> {
         let mut place = guess;
         if reach > 0.0 {
             // A cheap check first: most positions round a point are taken.
-            if let Some((other, distance)) = near.nearest(guess, reach)
-                && distance < 0.5 * self.spacing * sizes[other as usize].min(reach)
+            let apart = 0.5 * self.spacing;
+            if let Some((other, distance)) = near.nearest(guess, HAIR * apart * reach)
+                && distance < apart * sizes[other as usize].min(reach)
             {
                 return None;
             }
@@ -240,7 +244,7 @@ impl Ground<'_> {
         }
         let size = self.field.at(place);
         // Points are most often in the way, and soonest found.
-        if near.nearest(place, (self.spacing * size).min(candidate.most)).is_some() {
+        if near.has(place, (self.spacing * size).min(candidate.most)) {
             return None;
         }
         let clear = CLEARANCE * size;

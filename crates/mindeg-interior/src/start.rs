@@ -25,6 +25,12 @@ pub(crate) struct Start<'a> {
     pub(crate) about: f64,
 }
 
+/// Packed points and what stays, with their triangles, before these are linked.
+pub(crate) struct Packing {
+    pub(crate) vertices: Vec<Vertex>,
+    pub(crate) triangles: Vec<[u32; 3]>,
+}
+
 impl Start<'_> {
     /// Packs points, triangulates them, and links the triangles.
     pub(crate) fn mesh(
@@ -35,6 +41,24 @@ impl Start<'_> {
         spokes: Option<(u32, u32)>,
         stage: &mut Stage<'_>,
     ) -> Result<ArrayMesh, InteriorError> {
+        self.linked(self.packing(spacing, floor, max_points, spokes, stage)?)
+    }
+
+    pub(crate) fn linked(&self, packing: Packing) -> Result<ArrayMesh, InteriorError> {
+        let Packing { vertices, triangles } = packing;
+        ArrayMesh::new(vertices, &triangles, self.goals.to_vec(), &self.breaklines.edges)
+            .map_err(InteriorError::NotFilled)
+    }
+
+    /// Packs points and triangulates them.
+    pub(crate) fn packing(
+        &self,
+        spacing: f64,
+        floor: f64,
+        max_points: usize,
+        spokes: Option<(u32, u32)>,
+        stage: &mut Stage<'_>,
+    ) -> Result<Packing, InteriorError> {
         let pieces = self.breaklines.pieces(self.outline);
         let items = pieces.iter().enumerate().map(|(id, piece)| Item {
             id: id as u32,
@@ -105,8 +129,7 @@ impl Start<'_> {
                 "triangle {a}-{b}-{c} is not counter-clockwise"
             )));
         }
-        ArrayMesh::new(vertices, &triangles, self.goals.to_vec(), &self.breaklines.edges)
-            .map_err(InteriorError::NotFilled)
+        Ok(Packing { vertices, triangles })
     }
 
     /// Whether a ring runs counter-clockwise.

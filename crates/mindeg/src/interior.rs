@@ -44,7 +44,6 @@ pub use mindeg_interior::{
     CertifiedVertex, CornerTradeOff, InteriorError, InteriorReport, LocalShares, SizeReport,
     TogetherBound, Violation,
 };
-use std::ops::ControlFlow;
 
 use posed::Posed;
 
@@ -86,38 +85,73 @@ pub fn mesh(
     mesh_showing(domain, wanted, None, progress)
 }
 
-/// The same; `show`, if it is given, gets a mesh soon: of the first packing of points, before it is worked on. If it breaks, that was all.
+/// A mesh to look at while a boundary changes: points packed inside, with 5 to 7 edges for most of them, which nothing works on. Where
+/// it would have more points than `most`, about, edges far from the boundary are longer.
 ///
 /// # Errors
 ///
-/// The errors of [`mesh`]; [`InteriorError::Cancelled`] if `show` breaks.
+/// The errors of [`mesh`].
+///
+/// ```
+/// use mindeg::{Domain, Interior, Progress, Side, interior};
+///
+/// let domain = Domain::rectangle(4.0, 3.0, [80, 60, 80, 60].map(Side::count).into())?;
+/// let [few, many] = [500, 20_000].map(|most| interior::draft(&domain, &Interior::default(), most, Progress::NONE));
+/// let [few, many] = [few?, many?].map(|mesh| mesh.positions().len());
+/// assert!(280 < few && few < 1200 && 3000 < many);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn draft(
+    domain: &Domain,
+    wanted: &Interior,
+    most: usize,
+    progress: Progress<'_>,
+) -> Result<TriMesh, InteriorError> {
+    let posed = Posed::new(domain)?;
+    let options = posed.options(domain, wanted)?;
+    let found = mindeg_interior::draft(posed.boundary(), &options, most, progress);
+    in_domain(domain, &posed, found.map_err(|error| posed.error(error))?)
+}
+
+/// [`mesh`]; `show`, if it is given, gets a mesh soon: of the first packing of points, before it is worked on.
+///
+/// # Errors
+///
+/// The errors of [`mesh`].
 pub fn mesh_showing(
     domain: &Domain,
     wanted: &Interior,
-    show: Option<&mut dyn FnMut(InteriorMesh) -> ControlFlow<()>>,
+    show: Option<&mut dyn FnMut(TriMesh)>,
     progress: Progress<'_>,
 ) -> Result<InteriorMesh, InteriorError> {
     let posed = Posed::new(domain)?;
     let options = posed.options(domain, wanted)?;
     let boundary = posed.boundary();
     let mut draft = show.map(|show| {
-        |found| match in_domain(domain, &posed, found) {
-            Ok(mesh) => show(mesh),
-            Err(_) => ControlFlow::Continue(()),
+        |found| {
+            if let Ok(mesh) = in_domain(domain, &posed, found) {
+                show(mesh);
+            }
         }
     });
-    let draft = draft.as_mut().map(|draft| draft as &mut dyn FnMut(Generated) -> ControlFlow<()>);
+    let draft = draft.as_mut().map(|draft| draft as &mut dyn FnMut(Generated<()>));
     let found = generate_showing(boundary, &options, draft, progress);
-    in_domain(domain, &posed, found.map_err(|error| posed.error(error))?)
+    let found = found.map_err(|error| posed.error(error))?;
+    let limit = AngleLimit::new(domain, &posed, &found.report.limits);
+    let report = posed.report(found.report.clone());
+    let mesh = in_domain(domain, &posed, found)?;
+    let sizes = report.sizes.as_ref();
+    let coarse_sides = sizes.map(|sizes| coarse::coarse_sides(domain, &sizes.coarse));
+    let coarse_sides = coarse_sides.unwrap_or_default();
+    Ok(InteriorMesh { mesh, report, limit, coarse_sides })
 }
 
 /// A mesh of the engine as one of the domain.
-fn in_domain(
+fn in_domain<R>(
     domain: &Domain,
     posed: &Posed<'_>,
-    found: Generated,
-) -> Result<InteriorMesh, InteriorError> {
-    let limit = AngleLimit::new(domain, posed, &found.report.limits);
+    found: Generated<R>,
+) -> Result<TriMesh, InteriorError> {
     let found = posed.in_domain(found);
     let boundary = &posed.whole;
     let points = found.points.iter().map(|point| point.extend(0.0)).collect();
@@ -144,11 +178,7 @@ fn in_domain(
         true => mesh,
         false => mesh.with_groups(groups),
     };
-    let mesh = mesh.called(domain.name());
-    let sizes = found.report.sizes.as_ref();
-    let coarse_sides = sizes.map(|sizes| coarse::coarse_sides(domain, &sizes.coarse));
-    let coarse_sides = coarse_sides.unwrap_or_default();
-    Ok(InteriorMesh { mesh, report: found.report, limit, coarse_sides })
+    Ok(mesh.called(domain.name()))
 }
 
 /// The edges that each segment of the lines was divided into.
@@ -209,19 +239,13 @@ mod tests {
         .unwrap();
         let wanted = Interior::default();
         let mut drafts = Vec::new();
-        let mut show = |draft: InteriorMesh| {
-            drafts.push(draft);
-            ControlFlow::Continue(())
-        };
+        let mut show = |draft: TriMesh| drafts.push(draft);
         let found = mesh_showing(&domain, &wanted, Some(&mut show), Progress::NONE).unwrap();
         assert_eq!(found, mesh(&domain, &wanted, Progress::NONE).unwrap());
         let [draft] = &drafts[..] else { panic!("{} drafts", drafts.len()) };
         let given = domain.boundary().unwrap().points().len();
-        assert_eq!(draft.mesh.positions()[..given], found.mesh.positions()[..given]);
-        assert!(draft.report.interior_points > 0 && *draft != found);
-        let ended =
-            mesh_showing(&domain, &wanted, Some(&mut |_| ControlFlow::Break(())), Progress::NONE);
-        assert!(matches!(ended, Err(InteriorError::Cancelled(_))));
+        assert_eq!(draft.positions()[..given], found.mesh.positions()[..given]);
+        assert!(draft.positions().len() > given && *draft != found.mesh);
     }
 
     /// The mean length of the edges inside a disc that are on no side.

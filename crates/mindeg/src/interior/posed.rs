@@ -5,7 +5,8 @@ use std::ops::Range;
 
 use mindeg_domain::{Domain, Interior, Periodic, Region, Size, SizeAt};
 use mindeg_interior::{
-    Generated, InteriorError, JoinedVertices, Options, check_coordinates, size_of_area,
+    Generated, InteriorError, InteriorReport, JoinedVertices, Options, check_coordinates,
+    size_of_area,
 };
 use mindeg_mesh::planar::{Border, PlanarBoundary};
 
@@ -159,8 +160,8 @@ impl<'a> Posed<'a> {
         sectors.iter().find(|sector| sector.0 == vertex).map_or(limit, |sector| sector.1)
     }
 
-    /// A mesh of the engine with the vertices and lines of the domain.
-    pub(super) fn in_domain(&self, found: Generated) -> Generated {
+    /// A mesh of the engine, whatever its report, with the vertices and lines of the domain.
+    pub(super) fn in_domain<R>(&self, found: Generated<R>) -> Generated<R> {
         let Some(Border { vertices, edges, boundary }) = &self.border else { return found };
         let name = |vertex: u32| self.vertex(vertex);
         let points = self.whole.points().iter().chain(self.whole.inner_points());
@@ -185,7 +186,15 @@ impl<'a> Posed<'a> {
             points: points.chain(&found.points[vertices.len()..]).copied().collect(),
             triangles: found.triangles.iter().map(|triangle| triangle.map(name)).collect(),
             line_edges,
-            report: found.report.renamed(name, |edge| self.edge(edge)),
+            report: found.report,
+        }
+    }
+
+    /// A report of the engine with the vertices and edges of the domain.
+    pub(super) fn report(&self, report: InteriorReport) -> InteriorReport {
+        match self.border {
+            Some(_) => report.renamed(|vertex| self.vertex(vertex), |edge| self.edge(edge)),
+            None => report,
         }
     }
 
