@@ -81,15 +81,18 @@ struct Search<'a, 's> {
 }
 
 impl Search<'_, '_> {
-    fn excess_of(&self, vertices: &[u32]) -> u32 {
-        let is_used = |v: &&u32| self.mesh.vertices[**v as usize].triangles > 0;
-        vertices.iter().filter(is_used).map(|v| self.weights.excess(self.mesh, *v)).sum()
+    /// By how much the degree of a vertex is out of its range.
+    fn excess_at(&self, vertex: u32) -> u32 {
+        match self.mesh.vertices[vertex as usize].triangles {
+            0 => 0,
+            _ => self.weights.excess(self.mesh, vertex),
+        }
     }
 
     /// Tries all operations at the last broken vertex that mend it.
     fn extend(&mut self, chain: &mut Chain, broken: &[u32], excess: u32, length: u32) {
         let Some(&vertex) = broken.last() else { return };
-        let mut list = Vec::new();
+        let (mut list, mut known) = (Vec::new(), Vec::new());
         operations(self.mesh, vertex, true, &mut list);
         for operation in list {
             if self.left == 0 {
@@ -97,18 +100,21 @@ impl Search<'_, '_> {
             }
             self.left -= 1;
             let (mark, count, cost) = (self.mesh.mark(), chain.vertices.len(), chain.cost);
-            self.step(chain, operation, broken, excess, length);
+            self.step(chain, operation, broken, &mut known, excess, length);
             self.mesh.undo(mark);
             chain.vertices.truncate(count);
             chain.cost = cost;
         }
     }
 
+    /// Does an operation and what may follow. `known` has the excess of vertices before it: it is the same for all operations tried in
+    /// its place.
     fn step(
         &mut self,
         chain: &mut Chain,
         operation: Operation,
         broken: &[u32],
+        known: &mut Vec<(u32, u32)>,
         excess: u32,
         length: u32,
     ) {
@@ -116,8 +122,17 @@ impl Search<'_, '_> {
         if !cavity.open(self.mesh, operation) {
             return;
         }
-        let (before, vertex) = (self.excess_of(&cavity.vertices), broken[broken.len() - 1]);
-        let own = self.weights.excess(self.mesh, vertex);
+        let mut before_at = |v: u32| {
+            let found = known.iter().find(|known| known.0 == v).map(|known| known.1);
+            found.unwrap_or_else(|| {
+                let excess = self.excess_at(v);
+                known.push((v, excess));
+                excess
+            })
+        };
+        let vertex = broken[broken.len() - 1];
+        let before: u32 = cavity.vertices.iter().map(|v| before_at(*v)).sum();
+        let own = before_at(vertex);
         if !cavity.plan(self.mesh, operation) {
             return;
         }
@@ -126,8 +141,10 @@ impl Search<'_, '_> {
         let first = self.mesh.triangles.len() as u32;
         cavity.carry_out(self.mesh);
         // Vertices that were broken from the start may be mended, too.
-        let next = (excess + self.excess_of(&cavity.vertices)).saturating_sub(before);
-        let is_mended = self.excess_of(&[vertex]) < own;
+        let after: Vec<u32> = cavity.vertices.iter().map(|v| self.excess_at(*v)).collect();
+        let next = (excess + after.iter().sum::<u32>()).saturating_sub(before);
+        let is_mended =
+            cavity.vertices.iter().zip(&after).any(|(v, excess)| *v == vertex && *excess < own);
         let is_last = next < self.excess;
         if !is_mended || next > self.allowed || length == 1 && !is_last {
             return;
@@ -149,7 +166,8 @@ impl Search<'_, '_> {
         } else {
             let mut now: Vec<u32> =
                 broken.iter().copied().filter(|v| !cavity.vertices.contains(v)).collect();
-            now.extend(cavity.vertices.iter().filter(|v| self.excess_of(&[**v]) > 0));
+            let is_broken = |(_, excess): &(&u32, &u32)| **excess > 0;
+            now.extend(cavity.vertices.iter().zip(&after).filter(is_broken).map(|(v, _)| *v));
             self.extend(chain, &now, next, length - 1);
         }
         chain.operations.pop();

@@ -13,13 +13,12 @@ const FACES: f64 = 0.1;
 const BENDS_FOR_MOVES: [f64; 2] = [0.6, 0.4];
 const BENDS_FOR_OPERATIONS: [f64; 2] = [0.9, 0.25];
 
-/// The state before a change.
-#[derive(Debug, Clone, PartialEq)]
+/// The state before a change. What was far then is told from what is far afterwards: mostly nothing is.
+#[derive(Debug, Clone)]
 pub(crate) struct Survey {
-    /// How many triangles are farther than the tolerance from their patch, or do not face it.
-    far: usize,
-    /// The witnesses that are near the triangles.
-    near: Vec<u32>,
+    before: Region,
+    /// The witnesses that may have been near the triangles.
+    witnesses: Vec<u32>,
 }
 
 impl Survey {
@@ -29,41 +28,54 @@ impl Survey {
         vertices: &[u32],
         moves: bool,
     ) -> Option<Self> {
-        let region = Region::of(mesh, vertices);
+        let mut before = Region::of(mesh, vertices);
         let is_inside = |v: &u32| mesh.vertices[*v as usize].kind == Kind::Free;
         let limits = if moves { BENDS_FOR_MOVES } else { BENDS_FOR_OPERATIONS };
         // A cavity that ends at a curve may cut its corners even where the surface is flat.
-        if (moves || vertices.iter().all(is_inside)) && !region.bends(mesh, limits) {
+        if (moves || vertices.iter().all(is_inside)) && !before.bends(mesh, limits) {
             return None;
         }
         let reference = mesh.space.0;
         let by = DVec3::splat(reference.tolerance);
-        let bounds = region.parts.iter().map(|part| part.bounds).reduce(Bounds::union)?;
-        let mut near = Vec::new();
-        reference.witnesses_in(Bounds { min: bounds.min - by, max: bounds.max + by }, &mut near);
-        near.retain(|w| region.is_near(reference, *w));
-        Some(Self { far: region.far(mesh), near })
+        let bounds = before.parts.iter().map(|part| part.bounds).reduce(Bounds::union)?;
+        let mut witnesses = Vec::new();
+        let bounds = Bounds { min: bounds.min - by, max: bounds.max + by };
+        reference.witnesses_in(bounds, &mut witnesses);
+        before.find_bends(mesh);
+        Some(Self { before, witnesses })
     }
 
-    /// True if all witnesses are still near, and no more triangles are far.
+    /// True if all witnesses that were near still are, and no more triangles are far.
     pub(crate) fn is_kept(&self, mesh: &ArrayMesh<OnSurface<'_>>, vertices: &[u32]) -> bool {
-        let region = Region::of(mesh, vertices);
+        let mut now = Region::of(mesh, vertices);
         let reference = mesh.space.0;
-        self.near.iter().all(|w| region.is_near(reference, *w)) && region.far(mesh) <= self.far
+        let is_lost = |w: &u32| !now.is_near(reference, *w) && self.before.is_near(reference, *w);
+        if self.witnesses.iter().any(is_lost) {
+            return false;
+        }
+        now.find_bends(mesh);
+        let far = now.far(reference);
+        far == 0 || far <= self.before.far(reference)
     }
 }
 
 /// The triangles at some vertices, each once.
+#[derive(Debug, Clone)]
 struct Region {
     parts: Vec<Part>,
 }
 
+#[derive(Debug, Clone)]
 struct Part {
     triangle: u32,
     patch: u32,
     corners: [DVec3; 3],
     /// Of the corners.
     bounds: Bounds<DVec3>,
+    /// A triangle of the surface near a corner.
+    near: u32,
+    /// Whether the surface bends there, as [`Region::find_bends`] has found.
+    is_bent: bool,
 }
 
 impl Region {
@@ -77,13 +89,7 @@ impl Region {
         }
         triangles.sort_unstable();
         triangles.dedup();
-        let part = |triangle: u32| {
-            let corners @ [a, b, c] = mesh.corners(triangle);
-            let patch = mesh.triangles[triangle as usize].patch;
-            let bounds = Bounds { min: a.min(b).min(c), max: a.max(b).max(c) };
-            Part { triangle, patch, corners, bounds }
-        };
-        Self { parts: triangles.into_iter().map(part).collect() }
+        Self { parts: triangles.into_iter().map(|triangle| Part::of(mesh, triangle)).collect() }
     }
 
     /// True if a witness is within the tolerance of the triangles of its patch.
@@ -98,12 +104,16 @@ impl Region {
         })
     }
 
+    /// Looks where the surface bends: only there triangles can be far.
+    fn find_bends(&mut self, mesh: &ArrayMesh<OnSurface<'_>>) {
+        for part in &mut self.parts {
+            part.is_bent = bends(mesh, part.triangle, BENDS_FOR_OPERATIONS);
+        }
+    }
+
     /// How many triangles are farther than the tolerance from their patch, or do not face it.
-    fn far(&self, mesh: &ArrayMesh<OnSurface<'_>>) -> usize {
-        let is_far = |part: &&Part| {
-            bends(mesh, part.triangle, BENDS_FOR_OPERATIONS) && is_far(mesh, part.triangle)
-        };
-        self.parts.iter().filter(is_far).count()
+    fn far(&self, reference: &Reference) -> usize {
+        self.parts.iter().filter(|part| part.is_bent && part.is_far(reference)).count()
     }
 
     /// True if the surface bends between the corners of a triangle.
@@ -112,17 +122,29 @@ impl Region {
     }
 }
 
+impl Part {
+    fn of(mesh: &ArrayMesh<OnSurface<'_>>, triangle: u32) -> Self {
+        let corners @ [a, b, c] = mesh.corners(triangle);
+        let bounds = Bounds { min: a.min(b).min(c), max: a.max(b).max(c) };
+        let of = &mesh.triangles[triangle as usize];
+        let near = mesh.vertices[of.vertices[0] as usize].at.near;
+        Self { triangle, patch: of.patch, corners, bounds, near, is_bent: false }
+    }
+
+    /// True if it is far from its patch at its centroid or at the middle of an edge, or does not face it there.
+    fn is_far(&self, reference: &Reference) -> bool {
+        let [a, b, c] = self.corners;
+        let normal = (b - a).cross(c - a).normalize_or_zero();
+        [(a + b + c) / 3.0, a.midpoint(b), b.midpoint(c), c.midpoint(a)].into_iter().any(|point| {
+            let foot = reference.foot(self.patch, point, normal, self.near);
+            foot.distance > reference.tolerance || foot.normal.dot(normal) <= FACES
+        })
+    }
+}
+
 /// True if a triangle is far from its patch at its centroid or at the middle of an edge, or does not face it there.
 pub(crate) fn is_far(mesh: &ArrayMesh<OnSurface<'_>>, t: u32) -> bool {
-    let reference = mesh.space.0;
-    let triangle = &mesh.triangles[t as usize];
-    let [a, b, c] = mesh.corners(t);
-    let normal = (b - a).cross(c - a).normalize_or_zero();
-    let near = mesh.vertices[triangle.vertices[0] as usize].at.near;
-    [(a + b + c) / 3.0, a.midpoint(b), b.midpoint(c), c.midpoint(a)].into_iter().any(|point| {
-        let foot = reference.foot(triangle.patch, point, normal, near);
-        foot.distance > reference.tolerance || foot.normal.dot(normal) <= FACES
-    })
+    Part::of(mesh, t).is_far(mesh.space.0)
 }
 
 /// True if the surface bends between the corners of a triangle, or if they do not tell.
@@ -185,7 +207,7 @@ mod tests {
         };
         lift(&mut mesh, far);
         let survey = Survey::of(&mesh, &[here, far], false).unwrap();
-        assert!(survey.far > 0 && survey.is_kept(&mesh, &[here, far]));
+        assert!(survey.before.far(&reference) > 0 && survey.is_kept(&mesh, &[here, far]));
         lift(&mut mesh, here);
         assert!(!survey.is_kept(&mesh, &[here, far]));
     }
@@ -195,7 +217,7 @@ mod tests {
         let reference = reference("cube", 2.0);
         let mesh = mesh(&reference);
         let inside = mesh.vertices.iter().position(|v| v.kind == Kind::Free).unwrap() as u32;
-        assert_eq!(Survey::of(&mesh, &[inside], true), None);
+        assert!(Survey::of(&mesh, &[inside], true).is_none());
         let on_curve = mesh.vertices.iter().position(|v| v.kind == Kind::Curve).unwrap() as u32;
         assert!(Survey::of(&mesh, &[on_curve], false).is_some());
     }

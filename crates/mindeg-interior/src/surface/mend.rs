@@ -1,6 +1,7 @@
 //! Mends degrees out of their ranges by chains of operations. Where none keeps the mesh near the surface, because that bends
 //! too much between the triangles of a vertex, these make room first: their edges become half as long.
 
+use crate::array_mesh::NONE;
 use crate::compass::settle;
 use crate::goal::Weights;
 use crate::manifold::Manifold;
@@ -35,7 +36,9 @@ pub(crate) fn mend(
     stage: &mut Stage<'_>,
 ) -> Result<usize, Cancelled> {
     let all = 0..mesh.vertices.len() as u32;
-    let broken: Vec<u32> = all.filter(|v| is_broken(mesh, weights, *v)).take(VERTICES).collect();
+    let mut star = Vec::new();
+    let mut is_wanted = |v: &u32| is_broken(mesh, weights, *v) && !is_frozen(mesh, *v, &mut star);
+    let broken: Vec<u32> = all.filter(&mut is_wanted).take(VERTICES).collect();
     let mut done = 0;
     for vertex in broken {
         stage.still()?;
@@ -49,6 +52,19 @@ pub(crate) fn mend(
         mesh.commit();
     }
     Ok(done)
+}
+
+/// True if all edges at a vertex stay, and so does its degree.
+fn is_frozen(mesh: &SurfaceMesh<'_>, vertex: u32, star: &mut Vec<u32>) -> bool {
+    mesh.star(vertex, star);
+    star.iter().all(|t| {
+        let triangle = &mesh.triangles[*t as usize];
+        let corner = triangle.corner(vertex);
+        [1, 2].into_iter().all(|i| {
+            let label = triangle.labels[(corner + i) % 3].0;
+            label != NONE && mesh.space.0.keeps(label)
+        })
+    })
 }
 
 /// Divides the edges at a vertex and mends all degrees near by. True if there are fewer wrong ones then; else the mesh is as
@@ -147,4 +163,31 @@ fn rings(mesh: &SurfaceMesh<'_>, vertex: u32, rings: usize) -> Vec<u32> {
         inside = end;
     }
     found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::array_mesh::Kind;
+    use crate::surface::reference::{CurveLabel, Reference};
+    use crate::surface::work::tests::{mesh, reference};
+
+    #[test]
+    fn a_vertex_is_frozen_where_all_its_edges_are_kept() {
+        let given = reference("cube", 3.0);
+        let curves = given.surface.curves().len();
+        for is_kept in [false, true] {
+            let (fine, size, tolerance) = (given.surface.clone(), given.size, given.tolerance);
+            let reference = Reference::new(fine, size, tolerance, vec![is_kept; curves]);
+            let mut mesh = mesh(&reference);
+            let free = mesh.vertices.iter().position(|v| v.kind == Kind::Free).unwrap() as u32;
+            let mut star = Vec::new();
+            let around = rings(&mesh, free, 1);
+            for other in around.into_iter().filter(|v| *v != free) {
+                assert!(!is_frozen(&mesh, free, &mut star));
+                mesh.lock(free, other, CurveLabel(0)).unwrap();
+            }
+            assert_eq!(is_frozen(&mesh, free, &mut star), is_kept);
+        }
+    }
 }

@@ -5,7 +5,7 @@ use crate::goal::Weights;
 use crate::manifold::{Manifold, Slope};
 use crate::surface::guard::Survey;
 use crate::surface::reference::{CurveLabel, On, OnSurface, Site};
-use crate::surface::sectors::{MOST_ON_BOUNDARY, Sectors};
+use crate::surface::sectors::{MOST_ON_BOUNDARY, degree};
 use glam::{DVec2, DVec3};
 use mindeg_surfaces::NONE;
 
@@ -113,13 +113,11 @@ impl Manifold for OnSurface<'_> {
             let excess = weights.excess_of(mesh, vertex, v.triangles);
             return (excess, f64::from(v.triangles) - 6.0);
         }
-        let sectors = Sectors::of(mesh, vertex);
-        let total = match mesh.goals.get(v.goal as usize) {
-            Some(goal) => goal.least..=goal.triangles,
-            None if sectors.is_closed => weights.interior.clone(),
-            None => 1..=MOST_ON_BOUNDARY,
-        };
-        sectors.degree(v.kind, &total)
+        let of_goal = mesh.goals.get(v.goal as usize).map(|goal| goal.least..=goal.triangles);
+        match &of_goal {
+            Some(total) => degree(mesh, vertex, [total; 2]),
+            None => degree(mesh, vertex, [&weights.interior, &(1..=MOST_ON_BOUNDARY)]),
+        }
     }
 
     fn counts_triangles(mesh: &ArrayMesh<Self>, vertex: u32) -> bool {

@@ -72,52 +72,9 @@ impl Sectors {
         vertex: u32,
         counts: impl Fn(u32, usize) -> bool,
     ) -> Self {
-        let mut star = Vec::new();
-        let is_closed = mesh.star(vertex, &mut star);
-        // Whether an edge that counts lies before each triangle.
-        let before = |t: u32| {
-            let i = (mesh.triangles[t as usize].corner(vertex) + 2) % 3;
-            counts(t, i)
-        };
-        let first = star.iter().position(|t| before(*t)).unwrap_or(0);
-        star.rotate_left(first);
-        let mut sectors: Vec<SurfaceSector> = Vec::new();
-        for (i, t) in star.iter().enumerate() {
-            if i == 0 || before(*t) {
-                sectors.push(SurfaceSector { angle: 0.0, triangles: 0 });
-            }
-            let corner = mesh.triangles[*t as usize].corner(vertex);
-            let corners = mesh.corners(*t);
-            let [x, a, b] = [0, 1, 2].map(|i| corners[(corner + i) % 3]);
-            let last = sectors.len() - 1;
-            sectors[last].angle += angle(a - x, b - x);
-            sectors[last].triangles += 1;
-        }
+        let mut sectors = Vec::new();
+        let is_closed = each_sector(mesh, vertex, counts, |sector| sectors.push(sector));
         Self { sectors, is_closed }
-    }
-
-    /// By how much the numbers of triangles are out of their ranges, and how far from the best ones. `total`: how many there
-    /// may be in all.
-    pub(crate) fn degree(&self, kind: Kind, total: &RangeInclusive<u32>) -> (u32, f64) {
-        let (mut fewer, mut more, mut needed, mut soft) = (0, 0, 0, 0.0);
-        for sector in &self.sectors {
-            let range = if kind == Kind::Curve { sector.range_on_curve() } else { sector.range() };
-            needed += range.start();
-            fewer += range.start().saturating_sub(sector.triangles);
-            more += sector.triangles.saturating_sub(*range.end());
-            let off = (f64::from(sector.triangles) - sector.angle / 60.0).abs() - 0.5;
-            soft += off.max(0.0);
-        }
-        // Where all sectors together may not have what each needs for good angles, some have fewer.
-        let excess = fewer.saturating_sub(needed.saturating_sub(*total.end())) + more;
-        let count = self.sectors.iter().map(|sector| sector.triangles).sum();
-        // One sector has all the triangles: they do not count twice.
-        let excess = match (self.is_closed, self.sectors.len()) {
-            (true, 1) => beyond(count, total),
-            (true, _) => excess + beyond(count, total),
-            (false, _) => excess.max(beyond(count, total)),
-        };
-        (excess, soft)
     }
 
     /// No mesh has a greater minimum angle in these sectors, in degrees: each has the best number of equal angles.
@@ -178,6 +135,109 @@ impl Sectors {
     }
 }
 
+/// What the sectors of a vertex make of its degree.
+#[derive(Debug, Clone, Copy, Default)]
+struct Tally {
+    sectors: u32,
+    triangles: u32,
+    fewer: u32,
+    more: u32,
+    needed: u32,
+    soft: f64,
+}
+
+impl Tally {
+    fn add(&mut self, kind: Kind, sector: SurfaceSector) {
+        let range = if kind == Kind::Curve { sector.range_on_curve() } else { sector.range() };
+        self.sectors += 1;
+        self.triangles += sector.triangles;
+        self.needed += range.start();
+        self.fewer += range.start().saturating_sub(sector.triangles);
+        self.more += sector.triangles.saturating_sub(*range.end());
+        let off = (f64::from(sector.triangles) - sector.angle / 60.0).abs() - 0.5;
+        self.soft += off.max(0.0);
+    }
+
+    fn degree(&self, is_closed: bool, total: &RangeInclusive<u32>) -> (u32, f64) {
+        // Where all sectors together may not have what each needs for good angles, some have fewer.
+        let left = self.needed.saturating_sub(*total.end());
+        let excess = self.fewer.saturating_sub(left) + self.more;
+        // One sector has all the triangles: they do not count twice.
+        let excess = match (is_closed, self.sectors) {
+            (true, 1) => beyond(self.triangles, total),
+            (true, _) => excess + beyond(self.triangles, total),
+            (false, _) => excess.max(beyond(self.triangles, total)),
+        };
+        (excess, self.soft)
+    }
+}
+
+/// By how much the numbers of triangles in the sectors of a vertex are out of their ranges, and how far from the best ones. `total`: how
+/// many there may be in all, off the boundary and on it.
+pub(crate) fn degree(
+    mesh: &ArrayMesh<OnSurface<'_>>,
+    vertex: u32,
+    total: [&RangeInclusive<u32>; 2],
+) -> (u32, f64) {
+    let (mut tally, kind) = (Tally::default(), mesh.vertices[vertex as usize].kind);
+    let counts = |t, i| is_of_curve(mesh, t, i);
+    let is_closed = each_sector(mesh, vertex, counts, |sector| tally.add(kind, sector));
+    tally.degree(is_closed, total[usize::from(!is_closed)])
+}
+
+/// Gives the sectors of a vertex between those edges that count, counter-clockwise, from the boundary if it has one. True if closed.
+fn each_sector(
+    mesh: &ArrayMesh<OnSurface<'_>>,
+    vertex: u32,
+    counts: impl Fn(u32, usize) -> bool,
+    mut give: impl FnMut(SurfaceSector),
+) -> bool {
+    // Beyond the edge after a triangle, and beyond that before it.
+    let beside = |t: u32, i: usize| {
+        let triangle = &mesh.triangles[t as usize];
+        triangle.neighbours[(triangle.corner(vertex) + i) % 3]
+    };
+    // Whether an edge that counts lies before each triangle.
+    let before = |t: u32| counts(t, (mesh.triangles[t as usize].corner(vertex) + 2) % 3);
+    let anchor = mesh.vertices[vertex as usize].anchor;
+    let (mut first, mut at) = (None, anchor);
+    let is_closed = loop {
+        if first.is_none() && before(at) {
+            first = Some(at);
+        }
+        at = beside(at, 1);
+        if at == anchor || at == NONE {
+            break at == anchor;
+        }
+    };
+    let mut start = anchor;
+    if is_closed {
+        start = first.unwrap_or(anchor);
+    } else {
+        while beside(start, 2) != NONE {
+            start = beside(start, 2);
+        }
+    }
+    let mut sector = SurfaceSector { angle: 0.0, triangles: 0 };
+    at = start;
+    loop {
+        let corner = mesh.triangles[at as usize].corner(vertex);
+        let corners = mesh.corners(at);
+        let [x, a, b] = [0, 1, 2].map(|i| corners[(corner + i) % 3]);
+        sector.angle += angle(a - x, b - x);
+        sector.triangles += 1;
+        at = beside(at, 1);
+        let is_last = at == start || at == NONE;
+        if is_last || before(at) {
+            give(sector);
+            sector = SurfaceSector { angle: 0.0, triangles: 0 };
+        }
+        if is_last {
+            return is_closed;
+        }
+    }
+}
+
 /// Whether an edge is part of a curve.
 fn is_of_curve(mesh: &ArrayMesh<OnSurface<'_>>, t: u32, i: usize) -> bool {
     mesh.triangles[t as usize].labels[i] != CurveLabel::default()
@@ -219,6 +279,12 @@ mod tests {
         Sectors { sectors: angles.iter().map(sector).collect(), is_closed }
     }
 
+    fn degree_of(found: &Sectors, kind: Kind, total: &RangeInclusive<u32>) -> u32 {
+        let mut tally = Tally::default();
+        found.sectors.iter().for_each(|sector| tally.add(kind, *sector));
+        tally.degree(found.is_closed, total).0
+    }
+
     #[test]
     fn sectors_lie_between_curves() {
         let reference = reference("cube", 2.0);
@@ -246,7 +312,7 @@ mod tests {
                 (Kind::Curve, false) => 1..=MOST_ON_BOUNDARY,
                 _ => sectors.total([&sectors; 2], &(5..=7), 35.0),
             };
-            sectors.degree(kind, &total).0
+            degree_of(&sectors, kind, &total)
         };
         // On a curve: 2 to 4 triangles on each side, 5 to 7 in all.
         assert_eq!(excess(Kind::Curve, &[(180.0, 3), (180.0, 3)], true), 0);
@@ -304,7 +370,7 @@ mod tests {
         let excess = |counts: [u32; 4]| {
             let angles = [109.0, 120.0, 168.0, 120.0];
             let list: Vec<(f64, u32)> = angles.into_iter().zip(counts).collect();
-            sectors(&list, true).degree(Kind::Fixed, &(5..=7)).0
+            degree_of(&sectors(&list, true), Kind::Fixed, &(5..=7))
         };
         assert_eq!([[2, 2, 2, 2], [1, 2, 2, 2], [1, 1, 2, 2]].map(excess), [1, 0, 1]);
     }
