@@ -119,8 +119,13 @@ fn advice(domains: &[Domain], quiet: bool) -> (Advice, Option<TriMesh>) {
 fn table(answer: &TradeOffAnswer, limit: u32, told: Option<Purpose>) -> String {
     let mut text = String::from("maximum degree   minimum angle  of Delaunay's\n");
     let points = &answer.points;
-    let advised = points.iter().position(|point| Some(point.max_degree) == answer.advised);
-    let rows = spread(points.len(), limit, advised);
+    let patch = points.iter().position(|point| Some(point.max_degree) == answer.advised);
+    let taken = match told {
+        None | Some(Purpose::Patch) => patch.map(|row| (row, "  for a patch")),
+        Some(Purpose::Fewest) => Some((0, "  fewest edges")),
+        Some(Purpose::Solver) => None,
+    };
+    let rows = spread(points.len(), limit, taken.map(|taken| taken.0));
     for &row in &rows {
         let point = &points[row];
         // Writing to a string cannot fail.
@@ -130,7 +135,7 @@ fn table(answer: &TradeOffAnswer, limit: u32, told: Option<Purpose>) -> String {
             point.max_degree,
             steady_angle(point.min_angle),
             percent(point.share_of_limit),
-            if advised == Some(row) { "  advised" } else { "" },
+            taken.filter(|taken| taken.0 == row).map_or("", |taken| taken.1),
         );
     }
     if let Some(advice) = &answer.advice {

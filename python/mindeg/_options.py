@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import difflib
 import functools
 import inspect
 import json
@@ -123,8 +124,10 @@ def separated(options: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, Any
     for name, value in options.items():
         place = next((place for place, kind in enumerate(kinds) if name in kind.__annotations__), None)
         if place is None:
-            names = [key for kind in kinds for key in kind.__annotations__]
-            raise TypeError(f'no option is named "{name}"; the options are {", ".join(names)}')
+            names = ["interior", "preset", *(key for kind in kinds for key in kind.__annotations__)]
+            near = difflib.get_close_matches(name, names, 1)
+            meant = f'; did you mean "{near[0]}"?' if near else ";"
+            raise TypeError(f'no option is named "{name}"{meant} the options are {", ".join(names)}')
         if value is not None and value is not False:
             found[place][name] = value
     return found  # type: ignore[return-value]

@@ -107,8 +107,16 @@ def test_improving_keeps_the_boundary():
 
 
 def test_an_unknown_option_is_named():
-    with pytest.raises(TypeError, match='no option is named "grow"; the options are keep_angle,.* growth,'):
+    with pytest.raises(TypeError, match='no option is named "grow"; did you mean "growth"\\? the options are interior, preset, keep_angle,.* growth,'):
         mindeg.rectangle(4, 3, size=1).mesh(interior=True, grow=1)
+    with pytest.raises(TypeError, match='did you mean "interior"'):
+        mindeg.rectangle(4, 3, size=1).mesh(interiour=True)
+
+
+def test_a_preset_asks_for_what_it_needs_as_on_the_command_line():
+    mesh = mindeg.rectangle(4, 3, size=0.5).mesh(interior=True, preset="telemac")
+    on_boundary = mesh.triangles < len(mindeg.rectangle(4, 3, size=0.5).points)
+    assert not on_boundary.all(axis=1).any()
 
 
 def test_comparing_gives_the_report():

@@ -112,10 +112,16 @@ fn presets_are_gates_for_any_mesh() {
     };
     let (code, message) = gate("fvcom");
     assert_eq!(code, Some(3), "{message}");
-    assert!(message.contains("preset fvcom: vertex 0 has 9 triangles, above 8"), "{message}");
+    assert!(
+        message.contains("preset fvcom: vertex 0 at (0, 0) has 9 triangles, above 8"),
+        "{message}"
+    );
     assert_eq!(gate("swan").0, Some(0));
     let (code, message) = gate("qmap");
-    assert!(code == Some(3) && message.contains("vertex 0 has 9 edges, above 6"), "{message}");
+    assert!(
+        code == Some(3) && message.contains("vertex 0 at (0, 0) has 9 edges, above 6"),
+        "{message}"
+    );
     // A tenth triangle at a second center, which counts as the first one within the tolerance alone.
     let near = wheel.clone() + "v 1e-9 0 0\nf 11 3 2\n";
     let near = write(folder.path(), "near.obj", &near);
@@ -123,7 +129,7 @@ fn presets_are_gates_for_any_mesh() {
         [(&["--weld", "0"][..], 9), (&["--no-weld"], 9), (&["--weld", "1e-6"], 10)]
     {
         let run = mindeg([&["inspect", text(&near), "--preset", "fvcom"], weld].concat());
-        let words = format!("vertex 0 has {triangles} triangles, above 8");
+        let words = format!("vertex 0 at (0, 0) has {triangles} triangles, above 8");
         assert!(run.code == Some(3) && run.errors.contains(&words), "{weld:?}: {run:?}");
     }
     // The mesh that improve makes keeps it.

@@ -104,6 +104,8 @@ fn what_cannot_be_stitched_is_refused_with_the_place() {
     let zigzag =
         path("zigzag.wkt", "POLYGON ((9.8 3.7, 10.2 3.75, 9.9 3.8, 13.2 4.3, 13.2 5.7, 9.8 6.2))");
     let steep = path("steep.obj", "v 13 4 0\nv 14 4 0\nv 13 5 1\nf 1 2 3\n");
+    // Along y = 6, where the shore has a vertex.
+    let high = path("high.wkt", "POLYGON ((9.8 3.8, 13.2 4.3, 13.2 6, 9.8 6))");
     let inside = path("inside.wkt", "POLYGON ((1 1, 2 1, 2 2, 1 2))");
     let out = folder.path().join("x.14").display().to_string();
     let before = content(folder.path());
@@ -114,6 +116,7 @@ fn what_cannot_be_stitched_is_refused_with_the_place() {
         (&river, &inside, &["no gap"]),
         (&river, &half, &["stays apart"]),
         (&river, &zigzag, &["crosses the boundary edge at (10, ", "several times"]),
+        (&river, &high, &["through the boundary vertex at (10, 6)"]),
         (&steep, &area, &["is not flat"]),
     ] {
         mindeg(["stitch", &ocean, other, "--within", area, "-o", &out]).refuses(words);

@@ -47,13 +47,20 @@ fn the_table_is_for_reading() {
         run.text(),
         "maximum degree   minimum angle  of Delaunay's\n\
          \x20            5          5.528°          87.2%\n\
-         \x20            6          6.340°           100%  advised\n\
+         \x20            6          6.340°           100%  for a patch\n\
          \x20            7         34.600°         545.7%  with points inside\n\
          For a solver, put points inside: minimum angle 34.600°, 5.457 times what the boundary points alone allow; at \
          most 7 edges at a vertex.\n\
          For a patch that must keep its points, take degree 6: minimum angle 6.340°, all of what its points allow.\n"
     );
     assert_eq!((run.code, run.errors.as_str()), (Some(0), ""));
+    // The row that is advised is that of the sentence below.
+    let first = |purpose: &str| {
+        let run = mindeg([rectangle("tradeoff", "12,9,4,4"), vec!["--for", purpose]].concat());
+        run.text().lines().nth(1).unwrap_or_default().to_owned()
+    };
+    assert!(first("fewest").ends_with("87.2%  fewest edges"), "{}", first("fewest"));
+    assert!(first("solver").ends_with("87.2%"), "{}", first("solver"));
 }
 
 #[test]
@@ -68,7 +75,8 @@ fn a_long_table_keeps_the_first_the_advised_and_the_last() {
     let (inside, rows) = rows.split_last().expect("rows");
     assert!(inside.ends_with("%  with points inside"), "{all}");
     assert!(rows.len() > 5, "{all}");
-    let advised = *rows.iter().find(|row| row.ends_with("%  advised")).expect("an advised degree");
+    let advised =
+        *rows.iter().find(|row| row.ends_with("%  for a patch")).expect("an advised degree");
     let short = table("3");
     let shown: Vec<&str> = short.lines().skip(1).collect();
     assert_eq!(shown[..3], [rows[0], advised, rows[rows.len() - 1]]);

@@ -3,7 +3,7 @@
 use crate::numbers::{number, steady_angle};
 use mindeg::Interior;
 use mindeg::glam::DVec3;
-use mindeg_mesh::{LineKind, TriMesh, Triangles as _};
+use mindeg_mesh::{LineKind, TriMesh, Triangles as _, coordinate};
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
@@ -164,6 +164,10 @@ impl PresetRules {
     fn broken(&self, mesh: &TriMesh) -> Vec<String> {
         let triangles = mesh.triangles();
         let vertices = Vertices::new(mesh.positions().len(), triangles);
+        let middle = |index: usize| {
+            let corners = triangles[index].map(|v| mesh.positions()[v as usize]);
+            place(corners.iter().sum::<DVec3>() / 3.0)
+        };
         let mut broken = Vec::new();
         let mut vertex =
             |is_bad: &dyn Fn(&Vertex) -> bool, what: &str, of: &dyn Fn(&Vertex) -> u32| {
@@ -178,7 +182,9 @@ impl PresetRules {
                         1 => String::new(),
                         count => format!(", and {} more do", count - 1),
                     };
-                    broken.push(format!("vertex {index} has {}{what}{count}", of(vertex)));
+                    let place = place(mesh.positions()[*index]);
+                    let has = of(vertex);
+                    broken.push(format!("vertex {index} at {place} has {has}{what}{count}"));
                 }
             };
         if let Some(least) = self.least_interior_triangles {
@@ -198,7 +204,7 @@ impl PresetRules {
         if self.one_fan {
             vertex(
                 &|v| v.boundary_edges > 2,
-                " boundary edges: the boundary touches itself there",
+                " boundary edges: the boundary touches itself there; move its parts away from each other, as mesh --condition does",
                 &|v| v.boundary_edges,
             );
         }
@@ -212,8 +218,9 @@ impl PresetRules {
                 .min_by(|a, b| a.1.min_angle.total_cmp(&b.1.min_angle));
             if let Some((index, quality)) = bad {
                 broken.push(format!(
-                    "triangle {index} has angles from {} to {}, outside {}° to {}°; points inside and two triangles at each corner of \
-                     the boundary (--boundary-corners 2) make them better",
+                    "triangle {index} at {} has angles from {} to {}, outside {}° to {}°; points inside and two triangles at each corner of \
+                     the boundary (--boundary-corners 2) make them better, and mesh --condition where the boundary is narrow",
+                    middle(index as usize),
                     steady_angle(quality.min_angle),
                     steady_angle(quality.max_angle),
                     range.start(),
@@ -226,14 +233,18 @@ impl PresetRules {
             let bad: Vec<usize> = (0..triangles.len()).filter(|&index| is_bad(index)).collect();
             let Some((first, more)) = bad.split_first() else { return };
             let named: Vec<String> = more.iter().take(MOST_NAMED).map(usize::to_string).collect();
+            let at = middle(*first);
             let rest = match more.len().saturating_sub(MOST_NAMED) {
                 0 => String::new(),
                 rest => format!(" and {rest} more"),
             };
             broken.push(match more.len() {
-                0 => format!("triangle {first} {what}"),
-                1 => format!("triangle {first} {what}; so does triangle {}", named[0]),
-                _ => format!("triangle {first} {what}; so do triangles {}{rest}", named.join(", ")),
+                0 => format!("triangle {first} at {at} {what}"),
+                1 => format!("triangle {first} at {at} {what}; so does triangle {}", named[0]),
+                _ => format!(
+                    "triangle {first} at {at} {what}; so do triangles {}{rest}",
+                    named.join(", ")
+                ),
             });
         };
         if let Some(most) = self.most_skewness {
@@ -279,6 +290,12 @@ impl PresetRules {
         }
         broken
     }
+}
+
+/// A place in the plane, or in space.
+fn place(at: DVec3) -> String {
+    let axes = if at.z == 0.0 { &at.to_array()[..2] } else { &at.to_array()[..] };
+    format!("({})", axes.iter().map(|x| coordinate(*x)).collect::<Vec<_>>().join(", "))
 }
 
 /// Of each vertex whether a line of open water ends or passes there.
@@ -386,13 +403,17 @@ mod tests {
     #[test]
     fn presets_name_what_breaks_them() {
         for (name, corners, broken) in [
-            ("swan", 3, "vertex 0 has 3 triangles, below 4; mindeg improve makes it 5 to 7"),
+            (
+                "swan",
+                3,
+                "vertex 0 at (0, 0) has 3 triangles, below 4; mindeg improve makes it 5 to 7",
+            ),
             ("swan", 4, ""),
             ("swan", 10, ""),
             (
                 "swan",
                 11,
-                "vertex 0 has 11 triangles, above 10; mindeg improve makes it 5 to 7 inside",
+                "vertex 0 at (0, 0) has 11 triangles, above 10; mindeg improve makes it 5 to 7 inside",
             ),
             ("adcirc", 3, ""),
             ("anuga", 3, ""),
@@ -402,10 +423,10 @@ mod tests {
             (
                 "fvcom",
                 9,
-                "vertex 0 has 9 triangles, above 8; mindeg improve makes it 5 to 7 inside",
+                "vertex 0 at (0, 0) has 9 triangles, above 8; mindeg improve makes it 5 to 7 inside",
             ),
             ("qmap", 6, ""),
-            ("qmap", 7, "vertex 0 has 7 edges, above 6"),
+            ("qmap", 7, "vertex 0 at (0, 0) has 7 edges, above 6"),
             ("sms", 6, ""),
             ("sms", 60, "triangle "),
         ] {
@@ -425,12 +446,20 @@ mod tests {
         };
         let broken = |name: &str, third| preset(name).broken_by(&mesh(third)).unwrap_or_default();
         for (name, third, said) in [
-            ("telemac", [0.0, 1.0], "triangle 0 has all its corners on the boundary"),
-            ("anuga", [0.0, -1.0], "triangle 0 is not counter-clockwise"),
-            ("adcirc", [0.5, 0.0], "triangle 0 is not counter-clockwise, or has no area"),
+            (
+                "telemac",
+                [0.0, 1.0],
+                "triangle 0 at (0.333333, 0.333333) has all its corners on the boundary",
+            ),
+            ("anuga", [0.0, -1.0], " is not counter-clockwise"),
+            (
+                "adcirc",
+                [0.5, 0.0],
+                "triangle 0 at (0.5, 0) is not counter-clockwise, or has no area",
+            ),
             // Twice pi over the height is the square of the skewness.
-            ("schism", [0.5, 0.001], "triangle 0 has a skewness above 60"),
-            ("swan", [0.5, 0.166], "triangle 0 has angles from"),
+            ("schism", [0.5, 0.001], " has a skewness above 60"),
+            ("swan", [0.5, 0.166], " has angles from"),
         ] {
             assert!(broken(name, third).contains(said), "{name}: {}", broken(name, third));
         }
@@ -464,7 +493,7 @@ mod tests {
         for name in ["adcirc", "anuga", "schism", "swan", "telemac", "fvcom"] {
             assert_eq!(preset(name).broken_by(&wheel(6)), None, "{name}");
             let broken = preset(name).broken_by(&clockwise(wheel(6))).unwrap_or_default();
-            assert!(broken.contains("triangle 0 is not counter-clockwise"), "{name}: {broken}");
+            assert!(broken.contains(" is not counter-clockwise"), "{name}: {broken}");
         }
     }
 
@@ -476,7 +505,10 @@ mod tests {
         let mesh = TriMesh::new(points, vec![[0, 1, 2], [0, 3, 4]]).unwrap();
         for name in ["schism", "fvcom"] {
             let broken = preset(name).broken_by(&mesh).unwrap_or_default();
-            assert!(broken.contains("vertex 0 has 4 boundary edges"), "{name}: {broken}");
+            assert!(
+                broken.contains(" has 4 boundary edges: the boundary touches itself there"),
+                "{name}: {broken}"
+            );
         }
         assert_eq!(preset("adcirc").broken_by(&mesh), None);
     }
@@ -495,10 +527,7 @@ mod tests {
         let two = || vec![[0, 1, 2], [0, 2, 3]];
         let broken = |mesh: &TriMesh| preset("fvcom").broken_by(mesh).unwrap_or_default();
         let found = broken(&mesh(&points[..4], two(), LineKind::Open));
-        assert!(
-            found.contains("triangle 0 has all its corners on the boundary, two of them"),
-            "{found}"
-        );
+        assert!(found.contains(" has all its corners on the boundary, two of them"), "{found}");
         assert_eq!(broken(&mesh(&points[..4], two(), LineKind::Land)), "");
         let four = vec![[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]];
         assert_eq!(broken(&mesh(&points, four, LineKind::Open)), "");

@@ -144,7 +144,8 @@ export function showRefused(stages, line) {
     if (shown.meshes[view]) continue;
     const mesh = shown.forgotten[view];
     if (!mesh) {
-      showNoMesh(stage, "The domain has a fault, so it has no mesh.");
+      // Without a place it is no fault of the domain: the answer took too long, say.
+      showNoMesh(stage, line.path ? "The domain has a fault, so it has no mesh." : inWords(line.message));
       continue;
     }
     shown.meshes[view] = mesh;

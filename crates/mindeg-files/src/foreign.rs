@@ -62,12 +62,9 @@ pub(crate) fn advice(extension: &str, file: &str) -> Option<String> {
 /// The usual extension of a file of other programs, by its first bytes.
 pub(crate) fn extension_of(bytes: &[u8]) -> Option<&'static str> {
     let text = bytes.trim_ascii_start();
-    let starts: [(&[u8], &str); 17] = [
+    let starts: [(&[u8], &str); 14] = [
         (&[0, 0, 0x27, 0x0a], "shp"),
         (b"ISO-10303-21", "step"),
-        (b"SetFactory", "geo"),
-        (b"Point(", "geo"),
-        (b"Point (", "geo"),
         (b"%PDF", "pdf"),
         (b"Kaydara FBX", "fbx"),
         (b"SQLite format 3", "gpkg"),
@@ -84,4 +81,19 @@ pub(crate) fn extension_of(bytes: &[u8]) -> Option<&'static str> {
     let start =
         starts.iter().find(|(start, _)| bytes.starts_with(start) || text.starts_with(start));
     start.map(|(_, extension)| *extension)
+}
+
+/// So much of a file tells that it is a script.
+const SCRIPT: usize = 1 << 14;
+
+/// Whether a text is a script for Gmsh: its first statement sets a number or a point, and it has a point. WKT can begin with `Point`, too.
+pub(crate) fn is_gmsh_script(bytes: &[u8]) -> bool {
+    let Ok(text) = std::str::from_utf8(&bytes[..bytes.len().min(SCRIPT)]) else { return false };
+    let is_statement = |line: &&str| !line.is_empty() && !line.starts_with("//");
+    let Some(first) = text.lines().map(str::trim).find(is_statement) else { return false };
+    let is_set = first.split_once('=').is_some_and(|(name, _)| {
+        let is_name = |letter: char| letter.is_alphanumeric() || "_.()[] ".contains(letter);
+        name.starts_with(char::is_alphabetic) && name.chars().all(is_name)
+    });
+    first.starts_with("SetFactory") || is_set && first.contains(';') && text.contains("Point")
 }

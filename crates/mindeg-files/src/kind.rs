@@ -74,9 +74,15 @@ pub(crate) fn kind(
     let looks_like = OutlineFormat::of_content(bytes);
     let has_brace = bytes.trim_ascii_start().starts_with(b"{");
     let extension = path.map(extension).unwrap_or_default();
-    // A script for Gmsh can begin with Point, as WKT can.
-    let is_script = extension == "geo" && looks_like == Some(OutlineFormat::Wkt);
-    if told.is_none() && (looks_like.is_none() || is_script) && !has_brace {
+    // A script may have any name, that of a table of points, too.
+    let may_be_script = matches!(told, None | Some(OutlineFormat::Csv));
+    if may_be_script
+        && foreign::is_gmsh_script(bytes)
+        && let Some(advice) = foreign::advice("geo", name)
+    {
+        return Err(advice);
+    }
+    if told.is_none() && looks_like.is_none() && !has_brace {
         if let Some(format) = Format::of_content(bytes) {
             return match wanted {
                 Wanted::Domain => Err(no_mesh(name)),
@@ -188,6 +194,8 @@ mod tests {
             ("x.geo", "lc = 1;\nPoint(1) = {0, 0, 0};", "gmsh -1 FILE -o outline.msh"),
             ("x.geo", "Point(1) = {0, 0, 0};", "gmsh -1 FILE -o outline.msh"),
             ("geo.txt2", "SetFactory(\"OpenCASCADE\");", "gmsh -1 FILE"),
+            ("x.txt", "// a part\n\nlc = 0.1;\nPoint(1) = {0, 0, 0, lc};", "gmsh -1 FILE"),
+            ("x.txt", "Point (1) = {0, 0, 0};", "gmsh -1 FILE"),
             ("part.step", "ISO-10303-21;\nHEADER;", "gmsh -2 FILE -o part.msh"),
             ("part.bin", "ply\nformat ascii 1.0\n", "it is a mesh, and a domain is expected"),
         ] {

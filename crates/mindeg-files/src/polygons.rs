@@ -180,8 +180,8 @@ impl PolygonFile {
             .and_then(|domain| with_kinds(domain, &self.kinds))
             .map(|domain| domain.with_projection(self.projection));
         domain.map_err(|error| {
-            let hint = self.hint(error.is_touch);
-            FileError::wrong(format!("{error}{hint}")).of(&polygon.name())
+            let said = error.to_string();
+            FileError::wrong(self.with_hint(said, error.is_touch)).of(&polygon.name())
         })
     }
 
@@ -212,17 +212,24 @@ impl PolygonFile {
             Ok((domains, notes))
         });
         maps.map_err(|error| {
-            let hint = self.hint(error.is_touch);
-            FileError::wrong(format!("{error}{hint}")).of(&self.file)
+            let said = error.to_string();
+            FileError::wrong(self.with_hint(said, error.is_touch)).of(&self.file)
         })
     }
 
-    fn hint(&self, is_touch: bool) -> String {
+    /// What is wrong, with what to do.
+    fn with_hint(&self, mut said: String, is_touch: bool) -> String {
+        let dashes = self.dashes;
+        let is_cut = is_touch && self.division.size.is_some() && said.contains(" cross near ");
         if is_touch && !self.is_repaired {
-            format!("; {}repair mends such places, and says what it changes", self.dashes)
-        } else {
-            String::new()
+            said += &format!("; {dashes}repair mends such places, and says what it changes");
         }
+        if is_cut {
+            said += &format!(
+                "; edges of a smaller size cut off less, and {dashes}condition keeps edges of this size apart"
+            );
+        }
+        said
     }
 
     /// The only domain: that of a single polygon, or the map of several that share edges.

@@ -1,14 +1,16 @@
 //! Abaqus input files, which CalculiX and others read too.
 //!
-//! Nodes, `S3` elements in an element set for each group, and a node set for each line of the mesh,
-//! under its name; lines and named vertices of one name add to one set. Numbers count from 1, and no line of a set has
+//! Nodes, `S3` elements in an element set for each group, and a node set for each name of lines and vertices, with each node
+//! once: readers such as meshio keep the last set of a name alone. Numbers count from 1, and no line of a set has
 //! more than 16. Names become labels: a letter first, then letters, digits, `-` and `_`, at most 80.
 //!
 //! Limits: written, not read. For a plane problem, replace `S3` by `CPS3` or `CPE3`.
 
+use std::collections::{HashMap, HashSet};
+
 use mindeg_mesh::{Mesh, NamedVertex};
 
-use crate::boundary::{MarkedChain, MarkedChains, chain_vertices};
+use crate::boundary::{MarkedChains, chain_vertices};
 use crate::corners::{positions, triangles};
 use crate::decimals::Decimals;
 use crate::facts::Facts;
@@ -70,32 +72,42 @@ fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
         }));
     }
     let mut sets = Names::folding_case();
-    let MarkedChains { chains, names, .. } = MarkedChains::of(mesh);
-    for chain in chains {
-        let set = sets.of(&names[chain.name as usize], label);
+    for (name, nodes) in node_sets(mesh) {
+        let set = sets.of(&name, label);
         sections.push(Section::bytes(format!("*NSET, NSET={set}\n")));
-        sections.push(node_set(mesh, chain));
-    }
-    let points = mesh.named_vertices();
-    for NamedVertex { name, vertex } in points.iter() {
-        let set = sets.of(name, label);
-        let node = u64::from(*vertex) + 1;
-        sections.push(Section::bytes(format!("*NSET, NSET={set}\n{node}\n")));
+        sections.push(Section::new(nodes.len() as u32, 12, move |range, buffer| {
+            for index in range {
+                push_number(nodes[index as usize], buffer);
+                let is_last = index % WIDTH == WIDTH - 1 || index as usize + 1 == nodes.len();
+                buffer.extend_from_slice(if is_last { b"\n" } else { b", " });
+            }
+        }));
     }
     sections
 }
 
-/// The vertices of a chain; the last only if it is not the first.
-fn node_set(mesh: &dyn Mesh, chain: MarkedChain) -> Section<'_> {
-    let is_open = chain.start != chain.end;
-    let count = (chain.segments.len() as u32).saturating_add(u32::from(is_open));
-    Section::new(count, 12, move |range, buffer| {
-        for (index, vertex) in range.clone().zip(chain_vertices(mesh, &chain, range)) {
-            push_number(vertex, buffer);
-            let is_last = index % WIDTH == WIDTH - 1 || index + 1 == count;
-            buffer.extend_from_slice(if is_last { b"\n" } else { b", " });
-        }
-    })
+/// The vertices of each name of lines and vertices, each once, along the lines.
+fn node_sets(mesh: &dyn Mesh) -> Vec<(String, Vec<u32>)> {
+    let mut sets: Vec<(String, Vec<u32>)> = Vec::new();
+    let mut of_name = HashMap::new();
+    let mut known = HashSet::new();
+    let mut add = |name: &str, vertices: Vec<u32>| {
+        let index = *of_name.entry(name.to_owned()).or_insert_with(|| {
+            sets.push((name.to_owned(), Vec::new()));
+            sets.len() - 1
+        });
+        let new = vertices.into_iter().filter(|vertex| known.insert((index, *vertex)));
+        sets[index].1.extend(new);
+    };
+    let MarkedChains { chains, names, .. } = MarkedChains::of(mesh);
+    for chain in chains {
+        let all = 0..(chain.segments.len() as u32).saturating_add(1);
+        add(&names[chain.name as usize], chain_vertices(mesh, &chain, all));
+    }
+    for NamedVertex { name, vertex } in mesh.named_vertices().iter() {
+        add(name, vec![*vertex]);
+    }
+    sets
 }
 
 /// The number of the node or element with an index.
@@ -148,6 +160,7 @@ mod tests {
         let file = String::from_utf8(file).unwrap();
         let sets: Vec<_> =
             file.lines().filter_map(|line| line.strip_prefix("*NSET, NSET=")).collect();
-        assert_eq!(sets, ["a_b", "a_b_2", "a_b"]);
+        assert_eq!(sets, ["a_b", "a_b_2"]);
+        assert!(file.contains("=a_b\n1, 2, 3\n*NSET, NSET=a_b_2\n2, 3\n"), "{file}");
     }
 }

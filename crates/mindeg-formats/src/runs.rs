@@ -25,6 +25,8 @@ pub struct Polylines {
     pub periodic: Vec<PeriodicLine>,
     /// The points that the file lists by themselves; those without a name have an empty one.
     pub points: Vec<NamedVertex>,
+    /// The names of groups that lack what another group has, too: it is in one alone.
+    pub left_groups: Vec<String>,
     /// How many faces and volumes the file has besides.
     pub others: u64,
 }

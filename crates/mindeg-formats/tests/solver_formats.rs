@@ -172,7 +172,7 @@ fn sides_of_one_name_are_one_group_in_every_format() {
     for (format, expected) in [
         (Format::Msh, &["\n1 1 \"wall\"\n1 2 \"end\"\n", "0 4 \"gauge\"\n"][..]),
         (Format::Su2, &["NMARK= 2\n"]),
-        (Format::Inp, &["NSET=wall\n1, 3, 5, 7\n", "NSET=wall\n8, 6, 4, 2\n", "NSET=gauge\n3\n"]),
+        (Format::Inp, &["NSET=wall\n1, 3, 5, 7, 8, 6, 4, 2\n", "NSET=gauge\n3, 6\n"]),
         (Format::Sms2dm, &["NS 1 3 5 -7 1\n", "NS 8 6 4 -2 1\n", "NS 7 -8 2\n"]),
         (Format::Obj, &["o wall\nl 1 3\nl 3 5\nl 5 7\nl 8 6\n", "o end\nl 7 8\n"]),
         (Format::Gltf, &["\"name\": \"wall\""]),

@@ -171,8 +171,12 @@ fn domains(
             let domain = builder.inside(Inside { lines, points, regions }).build();
             domain.map_err(|error| {
                 let first = map.regions.first().and_then(|region| names.get(region.0 as usize));
-                let first = first.map(String::as_str).unwrap_or_default();
-                OutlineError { place: format!("the map of {first}"), ..OutlineError::from(error) }
+                let place = match (map.regions.len(), first) {
+                    // The domain has its name.
+                    (1, _) | (_, None) => String::new(),
+                    (_, Some(first)) => format!("the map of {first}"),
+                };
+                OutlineError { place, ..OutlineError::from(error) }
             })
         })
         .collect::<Result<_, _>>()?;

@@ -11,7 +11,7 @@ use std::sync::Arc as Shared;
 
 use mindeg_domain::InnerPoint;
 use mindeg_formats::{Polylines, msh, obj};
-use mindeg_mesh::{NamedVertex, sorted};
+use mindeg_mesh::{NamedVertex, listed, sorted};
 
 use super::curve::{PieceCurve, Segment};
 use super::loops::{self, Link};
@@ -39,6 +39,7 @@ pub(super) fn read_msh(bytes: &[u8]) -> Result<Outlines, OutlineError> {
     let points: Vec<_> = file.positions.iter().map(|point| point.truncate()).collect();
     let periodic = file.periodic.iter().map(|line| PeriodicCurve::new(line, &points)).collect();
     let has_others = file.others > 0;
+    let left_groups = file.left_groups.clone();
     let outlines = match file.surfaces.is_empty() {
         true => outlines(file, true),
         false => surfaces(&file),
@@ -51,6 +52,13 @@ pub(super) fn read_msh(bytes: &[u8]) -> Result<Outlines, OutlineError> {
     })?;
     outlines.periodic = periodic;
     outlines.notes.extend(has_others.then(|| format!("left out {others}")));
+    if !left_groups.is_empty() {
+        let quoted = left_groups.iter().map(|name| format!("{name:?}"));
+        outlines.notes.push(format!(
+            "left out what {} shares with other physical groups: each point, curve and surface is in the first one alone",
+            listed(quoted, 5, ", ")
+        ));
+    }
     Ok(outlines)
 }
 

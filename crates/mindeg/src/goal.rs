@@ -352,7 +352,7 @@ mod tests {
             assert_eq!(Goal::share(text), Ok(share), "{text}");
         }
         for (text, words) in [
-            ("95", "for 95 percent write 95%"),
+            ("95", "for 95 percent write 0.95 or 95%"),
             ("101%", "from 0% to 100%"),
             ("200", "give a share from 0 to 1"),
             ("-0.1", "give a share from 0 to 1"),

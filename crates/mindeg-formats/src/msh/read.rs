@@ -10,7 +10,7 @@ use mindeg_mesh::{NamedVertex, TriMesh};
 use super::parts::{end_part, next_part, skip};
 use super::periodic::Links;
 use super::shapes::{Shape, known_shape};
-use super::surfaces::{Surfaces, only_named, physical_name};
+use super::surfaces::{PhysicalGroups, Surfaces, only_named, physical_name};
 use crate::lists::push;
 use crate::numbered::Nodes;
 use crate::numbers::Numbers;
@@ -77,7 +77,8 @@ pub fn read_lines(mut input: impl Read) -> Result<Polylines, ReadError> {
         // It does not say which points lie in a surface, and which are centers of arcs.
         points.retain(|point| !point.name.is_empty());
     }
-    Ok(Polylines { positions, segments, lines, surfaces, periodic, points, others })
+    let left_groups = contents.groups.left(&contents.physical_names);
+    Ok(Polylines { positions, segments, lines, surfaces, periodic, points, left_groups, others })
 }
 
 fn contents(file: &[u8], mut contents: Contents) -> Result<Contents, ReadError> {
@@ -94,7 +95,7 @@ fn contents(file: &[u8], mut contents: Contents) -> Result<Contents, ReadError> 
                 contents.surfaces.take_entities(
                     &mut scanner,
                     &contents.physical_names,
-                    &mut contents.physical_of,
+                    &mut contents.groups,
                 )?;
             }
             b"Nodes" => match contents.version {
@@ -140,8 +141,7 @@ struct Contents {
     values: Option<Vec<(u64, f64)>>,
     /// By dimension and tag.
     physical_names: HashMap<(i64, i64), String>,
-    /// The first physical tag of each entity, by dimension and tag.
-    physical_of: HashMap<(i64, i64), i64>,
+    groups: PhysicalGroups,
     nodes: Option<Nodes>,
     elements: Elements,
     /// The points that are elements; those without a name have an empty one.
@@ -268,7 +268,7 @@ impl Contents {
             let element_type = scanner.int("the type of a block's elements")?;
             let shape = known_shape(scanner, element_type)?;
             let count = scanner.size("the number of elements of a block")?;
-            let physical = self.physical_of.get(&(dimension, entity)).copied();
+            let physical = self.groups.of.get(&(dimension, entity)).copied();
             for _ in 0..count {
                 let start = scanner.offset();
                 scanner.size("the tag of an element")?;
@@ -321,6 +321,9 @@ impl Contents {
                 }
                 let physical = known[0].filter(|&tag| tag != 0).map(i64::saturating_abs);
                 let entity = known[1].or(physical).unwrap_or(0);
+                if let Some(physical) = physical {
+                    self.groups.add((shape.dimension.into(), entity), physical);
+                }
                 self.take_element(scanner, shape, (entity, physical), start, |scanner| {
                     let node = scanner.int("a node of an element")?;
                     // A negative one does not exist.

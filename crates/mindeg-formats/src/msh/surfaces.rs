@@ -10,6 +10,29 @@ use crate::names::PHYSICAL;
 use crate::runs::PlaneSurface;
 use crate::scanner::Scanner;
 
+/// Which physical group each entity is in, by dimension and tag: the first one.
+#[derive(Default)]
+pub(super) struct PhysicalGroups {
+    pub(super) of: HashMap<(i64, i64), i64>,
+    /// Groups with an entity that another one has already.
+    left: BTreeSet<(i64, i64)>,
+}
+
+impl PhysicalGroups {
+    /// An entity is in a group.
+    pub(super) fn add(&mut self, entity: (i64, i64), physical: i64) {
+        if *self.of.entry(entity).or_insert(physical) != physical {
+            self.left.insert((entity.0, physical));
+        }
+    }
+
+    /// The names of the groups of points, curves and surfaces that have not all that the file puts into them.
+    pub(super) fn left(&self, names: &HashMap<(i64, i64), String>) -> Vec<String> {
+        let seen = self.left.iter().filter(|(dimension, _)| *dimension < 3);
+        seen.map(|(dimension, physical)| physical_name(names, *dimension, *physical)).collect()
+    }
+}
+
 /// The surfaces of a file so far.
 #[derive(Default)]
 pub(super) struct Surfaces {
@@ -29,12 +52,12 @@ struct Parts {
 }
 
 impl Surfaces {
-    /// Reads `$Entities`: the first physical tag of each, and the curves and surfaces.
+    /// Reads `$Entities`: the physical tags of each, and the curves and surfaces.
     pub(super) fn take_entities(
         &mut self,
         scanner: &mut Scanner<'_>,
         names: &HashMap<(i64, i64), String>,
-        physical_of: &mut HashMap<(i64, i64), i64>,
+        groups: &mut PhysicalGroups,
     ) -> Result<(), ReadError> {
         let mut counts = [0; 4];
         for count in &mut counts {
@@ -46,12 +69,10 @@ impl Surfaces {
                 for _ in 0..if dimension == 0 { 3 } else { 6 } {
                     scanner.double("the box of an entity")?;
                 }
-                for index in 0..scanner.size("the number of physical tags")? {
+                for _ in 0..scanner.size("the number of physical tags")? {
                     // Negative where the group runs the other way.
                     let physical = scanner.int("a physical tag")?.saturating_abs();
-                    if index == 0 {
-                        physical_of.insert((dimension, tag), physical);
-                    }
+                    groups.add((dimension, tag), physical);
                 }
                 let mut bounding = Vec::new();
                 if dimension > 0 {
@@ -65,7 +86,7 @@ impl Surfaces {
                         self.curves.insert(tag);
                     }
                     2 => {
-                        let physical = physical_of.get(&(2, tag));
+                        let physical = groups.of.get(&(2, tag));
                         let name = physical.map(|physical| physical_name(names, 2, *physical));
                         let name = name.unwrap_or_default();
                         self.surfaces.insert(tag, Parts { name, bounding, edges: Vec::new() });

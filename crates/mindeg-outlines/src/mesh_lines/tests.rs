@@ -261,3 +261,20 @@ fn surfaces_without_curves_and_points_outside_are_told() {
         "{error}"
     );
 }
+
+#[test]
+fn a_group_that_lacks_what_another_one_has_is_named() {
+    let told = |name: &str| {
+        format!(
+            "left out what \"{name}\" shares with other physical groups: each point, curve and surface is in the first one alone"
+        )
+    };
+    let of_curve = V4.replace("1 -5 2 1 -2", "2 -5 -8 2 1 -2");
+    let names = "3\n1 5 \"in let\"\n1 8 \"top\"";
+    let notes = |text: &str| read(text).unwrap().notes;
+    assert_eq!(notes(&of_curve.replace("2\n1 5 \"in let\"", names)), [told("top")]);
+    // 2.2 has the elements once for each group.
+    let twice =
+        V2.replace("$Elements\n5", "$Elements\n6").replace("2 7\n4 1", "2 7\n6 1 2 8 2 2 7\n4 1");
+    assert!(notes(&twice).contains(&told("physical 8")), "{:?}", notes(&twice));
+}

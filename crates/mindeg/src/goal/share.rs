@@ -9,9 +9,10 @@ pub(super) fn read(text: &str) -> Result<f64, String> {
     };
     match number.parse::<f64>() {
         Ok(number) if (0.0..=whole).contains(&number) => Ok(number / whole),
-        Ok(number) if whole == 1.0 && (1.0..=100.0).contains(&number) => {
-            Err(format!("{number} is more than all of it; for {number} percent write {number}%"))
-        }
+        Ok(number) if whole == 1.0 && (1.0..=100.0).contains(&number) => Err(format!(
+            "{number} is more than all of it; for {number} percent write {} or {number}%",
+            number / 100.0
+        )),
         _ => Err("give a share from 0 to 1, such as 0.95, or from 0% to 100%".to_owned()),
     }
 }

@@ -173,10 +173,14 @@ fn crossing(area: &PlanarBoundary, [a, b]: [DVec2; 2]) -> Result<(u32, f64), Mes
             }
         }
     }
+    let is_on_border = |x: &DVec2| {
+        let mut edges = area.edges().map(|ends| ends.map(|vertex| area.point(vertex)));
+        edges.any(|[p, q]| orientation(p, q, *x) == 0.0 && (p - *x).dot(q - *x) <= 0.0)
+    };
     found.ok_or_else(|| {
         MeshError::Refused(format!(
             "the border of the area passes through the boundary vertex at {}: move it a little",
-            shown(a)
+            shown([a, b].into_iter().find(is_on_border).unwrap_or(a))
         ))
     })
 }
