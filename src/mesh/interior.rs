@@ -150,6 +150,9 @@ fn draw_changes(
 /// With fewer edges that stay, the sides of a poor boundary are too long to leave room for good triangles.
 const FEW_EDGES: usize = 64;
 
+/// On a larger boundary, to count the points that `--condition` would put on edges takes seconds, which nobody has asked for.
+const MOST_COUNTED: usize = 2000;
+
 /// The option that makes a poor boundary better: it divides few long sides, or puts points on edges, unless all that is poor is the angle
 /// of a corner itself.
 fn boundary_hint(
@@ -170,6 +173,13 @@ fn boundary_hint(
     }
     if arguments.condition.is_some() || !is_tight && !is_low {
         return None;
+    }
+    if vertices_of_boundary(found) > MOST_COUNTED {
+        return Some(
+            "hint: some edges of the boundary leave little room for good triangles; --condition puts points on edges where they \
+             help, and with --within LENGTH moves the boundary, too."
+                .to_owned(),
+        );
     }
     let put = || with_points_on_edges(domains, wanted, &arguments.change.keep);
     match Bar::new(false).waiting("counting points on edges", put)?.1 {

@@ -342,6 +342,10 @@ fn a_poor_boundary_is_told_what_lifts_its_limit() {
     assert!(run.errors.contains("\nwrote ") && !run.errors.contains("hint"), "{run:?}");
     let run = mindeg([&mesh[..], &["--condition=25"]].concat());
     assert!(run.code == Some(0) && !run.errors.contains(hint), "{run:?}");
+    // On a large boundary nobody waits for the number.
+    let strip = ["mesh", "--rectangle", "100x0.1", "--intervals", "2000,1,200,1", "--interior"];
+    let told = mindeg([&strip[..], &["-o", &out]].concat()).errors;
+    assert!(told.contains("--condition puts points on edges where they help, and with"), "{told}");
     // No point more or less changes the angle of a corner.
     let tip = b"POLYGON ((0 0, 10 -1, 10 1, 0 0))";
     let run = mindeg_reading(["mesh", "-", "--interior", "-o", &out], tip);

@@ -16,8 +16,8 @@ const MOST_TABS: usize = 64;
 /// The stack of a thread that works on an answer, as large as that of a main thread.
 const STACK: usize = 8 << 20;
 
-/// How long an answer may take.
-pub(crate) const TIME_LIMIT: Duration = Duration::from_secs(60);
+/// How long an answer may take. All of it takes a minute for a ring of 100,000 points that is not convex, on a slow machine.
+pub(crate) const TIME_LIMIT: Duration = Duration::from_secs(120);
 
 /// The answers that tabs wait for.
 pub(crate) struct Works {
