@@ -88,12 +88,14 @@ const SCRIPT: usize = 1 << 14;
 
 /// Whether a text is a script for Gmsh: its first statement sets a number or a point, and it has a point. WKT can begin with `Point`, too.
 pub(crate) fn is_gmsh_script(bytes: &[u8]) -> bool {
-    let Ok(text) = std::str::from_utf8(&bytes[..bytes.len().min(SCRIPT)]) else { return false };
+    let text = String::from_utf8_lossy(&bytes[..bytes.len().min(SCRIPT)]);
     let is_statement = |line: &&str| !line.is_empty() && !line.starts_with("//");
     let Some(first) = text.lines().map(str::trim).find(is_statement) else { return false };
     let is_set = first.split_once('=').is_some_and(|(name, _)| {
         let is_name = |letter: char| letter.is_alphanumeric() || "_.()[] ".contains(letter);
-        name.starts_with(char::is_alphabetic) && name.chars().all(is_name)
+        // WKT can begin with the number of its projection, as if that were set.
+        let is_wkt = name.trim().eq_ignore_ascii_case("SRID");
+        name.starts_with(char::is_alphabetic) && name.chars().all(is_name) && !is_wkt
     });
     first.starts_with("SetFactory") || is_set && first.contains(';') && text.contains("Point")
 }

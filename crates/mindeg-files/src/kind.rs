@@ -205,6 +205,16 @@ mod tests {
     }
 
     #[test]
+    fn wkt_with_points_is_no_script() {
+        for text in [
+            "SRID=4326;GeometryCollection(Polygon((0 0, 1 0, 0 1, 0 0)), Point(0.1 0.1))",
+            "Point (0 0)",
+        ] {
+            assert_eq!(told(Some("x.txt"), text), Ok(Kind::Outlines(OutlineFormat::Wkt)));
+        }
+    }
+
+    #[test]
     fn what_is_wanted_decides_between_outlines_and_meshes() {
         let of = |path: &str, text: &str, wanted| {
             kind(Some(Path::new(path)), text.as_bytes(), wanted, "FILE").unwrap()
