@@ -124,7 +124,7 @@ def test_the_rules_of_a_program_must_be_kept(tmp_path):
     assert mindeg.mesh(SQUARE, size=0.5, interior=True, preset="swan").report["violations"] == []
     corner = mindeg.Mesh([(0, 0, 0), (9, 0, 0), (9, 0.3, 0)], [(0, 1, 2)])
     for call in (mindeg.improve, lambda mesh, **rules: mindeg.remesh(mesh, keep_boundary=True, **rules)):
-        with pytest.raises(ValueError, match="preset sms: triangle 0 at .* has angles from 1.909°"):
+        with pytest.raises(ValueError, match=r"preset sms: triangle 0 at \(.*\) has angles from 1.909°"):
             call(corner, preset="sms")
         assert call(corner, preset="adcirc") == call(corner)
         with pytest.raises(ValueError, match='preset is "roms"; give one of adcirc'):
@@ -137,7 +137,7 @@ def test_the_rules_of_a_program_must_be_kept(tmp_path):
         ({"growth": 0.3}, ValueError, "growth is for meshes with points inside; give interior=True"),
         ({"interior": True, "keep_angle": 0.9}, ValueError, "keep_angle is for meshes of boundary points alone"),
         ({"interior": {"growth": 0.3}}, TypeError, "interior is .*give True or False"),
-        ({"groth": 0.3}, TypeError, 'no option is named "groth"; did you mean "growth"'),
+        ({"groth": 0.3}, TypeError, 'no option is named "groth"; did you mean "growth"\\? the options are'),
         ({"optimize": "angle", "keep_angle": 0.9}, ValueError, "exclude each other"),
         ({"effort": "much"}, TypeError, "."),
     ],

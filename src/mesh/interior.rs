@@ -13,7 +13,7 @@ use crate::interrupt::SESSION;
 use crate::making::Making;
 use mindeg::interior::{self, InteriorError, InteriorMesh};
 use mindeg::{Domain, Interior, Opening, Size};
-use mindeg_answers::advice::Purpose;
+use mindeg_answers::advice::{HINTED, Purpose};
 use mindeg_answers::condition::ConditionAnswer;
 use mindeg_answers::interior::{
     InteriorAnswer, angles_and_degrees, corners, grading, local_limits, more_on_request,
@@ -150,9 +150,6 @@ fn draw_changes(
 /// With fewer edges that stay, the sides of a poor boundary are too long to leave room for good triangles.
 const FEW_EDGES: usize = 64;
 
-/// On a larger boundary, to count the points that `--condition` would put on edges takes seconds, which nobody has asked for.
-const MOST_COUNTED: usize = 2000;
-
 /// The option that makes a poor boundary better: it divides few long sides, or puts points on edges, unless all that is poor is the angle
 /// of a corner itself.
 fn boundary_hint(
@@ -174,7 +171,8 @@ fn boundary_hint(
     if arguments.condition.is_some() || !is_tight && !is_low {
         return None;
     }
-    if vertices_of_boundary(found) > MOST_COUNTED {
+    // To count the points that `--condition` would put on edges of a larger boundary takes seconds, which nobody has asked for.
+    if vertices_of_boundary(found) as u64 > HINTED {
         return Some(
             "hint: some edges of the boundary leave little room for good triangles; --condition puts points on edges where they \
              help, and with --within LENGTH moves the boundary, too."

@@ -19,7 +19,7 @@ use serde::Serialize;
 
 /// A hint beside another answer has figures up to this number of points: they take two meshes. Points on edges, which take one more,
 /// are tried up to the same number.
-const HINTED: u64 = 2000;
+pub const HINTED: u64 = 2000;
 
 /// Up to so many vertices of convex domains that are too large for the search, a hint has the figures of the patch: a third of
 /// a second.

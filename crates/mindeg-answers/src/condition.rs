@@ -3,6 +3,7 @@
 mod places;
 
 pub use places::ShortestEdge;
+pub(crate) use places::place_in_words;
 
 use crate::numbers::{count, number, steady_angle};
 use mindeg::Domain;
@@ -10,7 +11,7 @@ use mindeg::glam::DVec2;
 use mindeg::interior::{
     BoundaryChange, ChangeKind, Conditioned, Narrow, NarrowReason, Reason, Why,
 };
-use places::{degrees, place, place_in_words};
+use places::{degrees, place};
 use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::{Value, json};

@@ -10,6 +10,11 @@ const MAX_DECIMALS: i32 = 4;
 
 pub use mindeg_mesh::{coordinate, number, percent, significant, steady_angle};
 
+/// A place by its coordinates, in the plane or in space.
+pub(crate) fn place(axes: &[f64]) -> String {
+    format!("({})", axes.iter().map(|x| coordinate(*x)).collect::<Vec<_>>().join(", "))
+}
+
 /// The numbers of a column: all with the same number of decimals.
 ///
 /// ```

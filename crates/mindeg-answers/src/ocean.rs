@@ -1,6 +1,7 @@
 //! The open water and the depths of an ocean model, and the time step that they allow.
 
-use crate::numbers::{coordinate, count, number, percent};
+use crate::condition::place_in_words;
+use crate::numbers::{count, number, percent};
 use mindeg::glam::DVec2;
 use mindeg::{Depths, Opening, Projection};
 use mindeg_mesh::TriMesh;
@@ -166,10 +167,7 @@ impl CourantAnswer {
     }
 
     fn text(&self) -> String {
-        let place = match (self.degrees, self.at) {
-            (Some([x, y]), _) => format!("longitude {x}, latitude {y}"),
-            (None, [x, y]) => format!("({}, {})", coordinate(x), coordinate(y)),
-        };
+        let place = place_in_words(self.degrees, self.at);
         let [edge, depth, allowed] = [self.edge, self.depth, self.allowed_time_step].map(number);
         let edge = format!("an edge of {edge} m in {depth} m of water at {place}");
         match (self.time_step, self.greatest) {

@@ -1,9 +1,9 @@
 //! The rules that programs have for a mesh.
 
-use crate::numbers::{number, steady_angle};
+use crate::numbers::{self, number, steady_angle};
 use mindeg::Interior;
 use mindeg::glam::DVec3;
-use mindeg_mesh::{LineKind, TriMesh, Triangles as _, coordinate};
+use mindeg_mesh::{LineKind, TriMesh, Triangles as _};
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
@@ -294,8 +294,8 @@ impl PresetRules {
 
 /// A place in the plane, or in space.
 fn place(at: DVec3) -> String {
-    let axes = if at.z == 0.0 { &at.to_array()[..2] } else { &at.to_array()[..] };
-    format!("({})", axes.iter().map(|x| coordinate(*x)).collect::<Vec<_>>().join(", "))
+    let axes = at.to_array();
+    numbers::place(if at.z == 0.0 { &axes[..2] } else { &axes })
 }
 
 /// Of each vertex whether a line of open water ends or passes there.
@@ -451,15 +451,15 @@ mod tests {
                 [0.0, 1.0],
                 "triangle 0 at (0.333333, 0.333333) has all its corners on the boundary",
             ),
-            ("anuga", [0.0, -1.0], " is not counter-clockwise"),
+            ("anuga", [0.0, -1.0], "triangle 0 at (0.333333, -0.333333) is not counter-clockwise"),
             (
                 "adcirc",
                 [0.5, 0.0],
                 "triangle 0 at (0.5, 0) is not counter-clockwise, or has no area",
             ),
             // Twice pi over the height is the square of the skewness.
-            ("schism", [0.5, 0.001], " has a skewness above 60"),
-            ("swan", [0.5, 0.166], " has angles from"),
+            ("schism", [0.5, 0.001], "triangle 0 at (0.5, 0.000333333) has a skewness above 60"),
+            ("swan", [0.5, 0.166], "triangle 0 at (0.5, 0.0553333) has angles from"),
         ] {
             assert!(broken(name, third).contains(said), "{name}: {}", broken(name, third));
         }
@@ -493,7 +493,8 @@ mod tests {
         for name in ["adcirc", "anuga", "schism", "swan", "telemac", "fvcom"] {
             assert_eq!(preset(name).broken_by(&wheel(6)), None, "{name}");
             let broken = preset(name).broken_by(&clockwise(wheel(6))).unwrap_or_default();
-            assert!(broken.contains(" is not counter-clockwise"), "{name}: {broken}");
+            let words = "triangle 0 at (0.5, 0.288675) is not counter-clockwise";
+            assert!(broken.contains(words), "{name}: {broken}");
         }
     }
 
@@ -506,7 +507,9 @@ mod tests {
         for name in ["schism", "fvcom"] {
             let broken = preset(name).broken_by(&mesh).unwrap_or_default();
             assert!(
-                broken.contains(" has 4 boundary edges: the boundary touches itself there"),
+                broken.contains(
+                    "vertex 0 at (0, 0) has 4 boundary edges: the boundary touches itself there"
+                ),
                 "{name}: {broken}"
             );
         }
@@ -527,7 +530,9 @@ mod tests {
         let two = || vec![[0, 1, 2], [0, 2, 3]];
         let broken = |mesh: &TriMesh| preset("fvcom").broken_by(mesh).unwrap_or_default();
         let found = broken(&mesh(&points[..4], two(), LineKind::Open));
-        assert!(found.contains(" has all its corners on the boundary, two of them"), "{found}");
+        let words =
+            "triangle 0 at (0.666667, 0.333333) has all its corners on the boundary, two of them";
+        assert!(found.contains(words), "{found}");
         assert_eq!(broken(&mesh(&points[..4], two(), LineKind::Land)), "");
         let four = vec![[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]];
         assert_eq!(broken(&mesh(&points, four, LineKind::Open)), "");

@@ -2,7 +2,7 @@
 
 use crate::interior::DegreeViolation;
 use crate::loops::not_in_the_mesh;
-use crate::numbers::{coordinate, count, number, percent, steady_angle};
+use crate::numbers::{count, number, percent, place, steady_angle};
 use crate::surface::{Distance, greatest};
 use mindeg::remesh::RemeshedPart;
 use mindeg::repair::Repairs;
@@ -155,7 +155,7 @@ impl RemeshAnswer {
             lines.push(format!(
                 "{} the minimum angle, the most at {}: {}; a greater --feature-angle may drop features.",
                 things(self.corner_limits.len(), "corner limits", "corners limit"),
-                point(worst.position),
+                place(&worst.position),
                 steady_angle(worst.limit)
             ));
         }
@@ -180,7 +180,7 @@ impl RemeshAnswer {
                 things(self.violations.len(), "vertex has", "vertices have"),
                 off.vertex,
                 off.degree,
-                point(off.position)
+                place(&off.position)
             ));
         }
         if self.crossings > 0 && self.part_crossings > 0 {
@@ -253,8 +253,4 @@ fn mended(repairs: &Repairs) -> String {
         true => "Nothing was to be repaired.".to_owned(),
         false => format!("Repaired first: {}.", done.join(", ")),
     }
-}
-
-fn point([x, y, z]: [f64; 3]) -> String {
-    format!("({}, {}, {})", coordinate(x), coordinate(y), coordinate(z))
 }

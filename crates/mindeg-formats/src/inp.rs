@@ -6,9 +6,9 @@
 //!
 //! Limits: written, not read. For a plane problem, replace `S3` by `CPS3` or `CPE3`.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashSet;
 
-use mindeg_mesh::{Mesh, NamedVertex};
+use mindeg_mesh::{ByName, Mesh};
 
 use crate::boundary::{MarkedChains, chain_vertices};
 use crate::corners::{positions, triangles};
@@ -88,26 +88,24 @@ fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
 
 /// The vertices of each name of lines and vertices, each once, along the lines.
 fn node_sets(mesh: &dyn Mesh) -> Vec<(String, Vec<u32>)> {
-    let mut sets: Vec<(String, Vec<u32>)> = Vec::new();
-    let mut of_name = HashMap::new();
-    let mut known = HashSet::new();
-    let mut add = |name: &str, vertices: Vec<u32>| {
-        let index = *of_name.entry(name.to_owned()).or_insert_with(|| {
-            sets.push((name.to_owned(), Vec::new()));
-            sets.len() - 1
-        });
-        let new = vertices.into_iter().filter(|vertex| known.insert((index, *vertex)));
-        sets[index].1.extend(new);
-    };
     let MarkedChains { chains, names, .. } = MarkedChains::of(mesh);
-    for chain in chains {
-        let all = 0..(chain.segments.len() as u32).saturating_add(1);
-        add(&names[chain.name as usize], chain_vertices(mesh, &chain, all));
-    }
-    for NamedVertex { name, vertex } in mesh.named_vertices().iter() {
-        add(name, vec![*vertex]);
-    }
-    sets
+    let points = mesh.named_vertices();
+    let of_chains = chains.iter().map(|chain| &*names[chain.name as usize]);
+    let by_name = ByName::new(of_chains.chain(points.iter().map(|point| &*point.name)));
+    let vertices = |item: usize| match chains.get(item) {
+        Some(chain) => {
+            let all = 0..(chain.segments.len() as u32).saturating_add(1);
+            chain_vertices(mesh, chain, all)
+        }
+        None => vec![points[item - chains.len()].vertex],
+    };
+    let nodes = |items: Vec<usize>| {
+        let mut known = HashSet::new();
+        let all = items.into_iter().flat_map(vertices);
+        all.filter(|vertex| known.insert(*vertex)).collect()
+    };
+    let sets = by_name.items().into_iter().map(nodes);
+    by_name.names.iter().cloned().zip(sets).collect()
 }
 
 /// The number of the node or element with an index.

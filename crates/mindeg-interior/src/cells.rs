@@ -76,7 +76,7 @@ const CORNERS: [DVec2; 4] = [DVec2::ZERO, DVec2::X, DVec2::Y, DVec2::ONE];
 /// The tree of places.
 const PLACES: u8 = 2;
 /// Above rounding.
-const HAIR: f64 = 1.0 + 1e-9;
+pub(crate) const HAIR: f64 = 1.0 + 1e-9;
 
 impl Sources {
     fn tree(&self, run: Run) -> &EdgeTree {

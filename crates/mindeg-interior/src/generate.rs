@@ -50,14 +50,14 @@ struct Seed {
     trials: f64,
 }
 
-/// The least distance of points in the first seed, in sizes.
+/// The usual least distance of points, in sizes.
 pub(crate) const SPACING: f64 = 0.75;
 
 const SEEDS: [Seed; 5] = [
     Seed { growth: 1.0, spacing: SPACING, pairs: false, trials: 1.0 },
-    Seed { growth: 1.0, spacing: 0.75, pairs: true, trials: 0.3 },
+    Seed { growth: 1.0, spacing: SPACING, pairs: true, trials: 0.3 },
     Seed { growth: 1.0, spacing: 0.8, pairs: true, trials: 0.3 },
-    Seed { growth: 1.2, spacing: 0.75, pairs: true, trials: 0.3 },
+    Seed { growth: 1.2, spacing: SPACING, pairs: true, trials: 0.3 },
     Seed { growth: 0.8, spacing: 0.7, pairs: true, trials: 0.3 },
 ];
 

@@ -3,6 +3,7 @@
 use crate::array_mesh::{ArrayMesh, Kind, NONE, Vertex};
 use crate::breaklines::Breaklines;
 use crate::finish::finish;
+use crate::generate::SPACING;
 use crate::generate::{compact, end_of_start, end_of_try};
 use crate::goal::{Weights, goals};
 use crate::limits::Limits;
@@ -202,7 +203,8 @@ impl Input {
             field: &field,
             about: f64::INFINITY,
         };
-        let packed = match start.mesh(0.75, floor, options.wanted.max_points(), None, stage) {
+        let packing = start.packing(SPACING, floor, options.wanted.max_points(), None, stage);
+        let packed = match packing.and_then(|packing| start.linked(packing)) {
             Err(InteriorError::Cancelled(cancelled)) => return Err(cancelled.into()),
             Err(_) => return Ok(None),
             Ok(packed) => packed,

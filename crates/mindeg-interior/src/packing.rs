@@ -5,6 +5,7 @@
 //! triangle with what is there, and kept if no point is too near for the size field.
 
 use crate::breaklines::{Breaklines, Piece};
+use crate::cells::HAIR;
 use crate::edge_tree::EdgeTree;
 use crate::goal::Goal;
 use crate::near::Near;
@@ -73,9 +74,6 @@ const TO_ENDS: f64 = 0.98;
 
 /// Nearer to an edge than this share of size or edge length, no point is put.
 const CLEARANCE: f64 = 0.45;
-
-/// Above rounding.
-const HAIR: f64 = 1.0 + 1e-9;
 
 impl Ground<'_> {
     /// Interior points and their sizes, without the fixed ones.
@@ -237,7 +235,7 @@ impl Ground<'_> {
             place = candidate.from + candidate.step * (self.field.at(between) / reach);
         }
         let travelled = place.distance(candidate.from);
-        let within = if reach > 0.0 { travelled * (1.0 + 1e-9) } else { f64::INFINITY };
+        let within = if reach > 0.0 { travelled * HAIR } else { f64::INFINITY };
         let nearest = self.field.boundary().nearest(place, within);
         if !self.is_inside_by(place, nearest, within) {
             return None;

@@ -77,7 +77,8 @@ impl<'a> Restart<'a> {
             field: &field,
             about: f64::INFINITY,
         };
-        let packed = start.mesh(phase[0], self.weights.floor, MOST_POINTS, spokes, stage).ok()?;
+        let packing = start.packing(phase[0], self.weights.floor, MOST_POINTS, spokes, stage);
+        let packed = start.linked(packing.ok()?).ok()?;
         let mut vertices: Vec<Vertex> = self.disc.vertices.clone();
         vertices.iter_mut().for_each(|v| (v.anchor, v.triangles) = (NONE, 0));
         let mut names = self.names.clone();

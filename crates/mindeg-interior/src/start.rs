@@ -32,18 +32,7 @@ pub(crate) struct Packing {
 }
 
 impl Start<'_> {
-    /// Packs points, triangulates them, and links the triangles.
-    pub(crate) fn mesh(
-        &self,
-        spacing: f64,
-        floor: f64,
-        max_points: usize,
-        spokes: Option<(u32, u32)>,
-        stage: &mut Stage<'_>,
-    ) -> Result<ArrayMesh, InteriorError> {
-        self.linked(self.packing(spacing, floor, max_points, spokes, stage)?)
-    }
-
+    /// The mesh of a packing.
     pub(crate) fn linked(&self, packing: Packing) -> Result<ArrayMesh, InteriorError> {
         let Packing { vertices, triangles } = packing;
         ArrayMesh::new(vertices, &triangles, self.goals.to_vec(), &self.breaklines.edges)

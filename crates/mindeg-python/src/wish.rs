@@ -80,8 +80,11 @@ impl Wish<'_> {
     /// The wish for points inside, in place of the domain's own, with what a preset asks of them, and the points that the mesh must have.
     pub(crate) fn wanted(&self, base: &Interior) -> PyResult<(Interior, Vec<InnerPoint>)> {
         let (wanted, points) = interior::wanted(&self.options, base)?;
-        let preset = self.demands()?.preset;
-        Ok((preset.map_or(wanted.clone(), |preset| preset.asked_of(wanted)), points))
+        let wanted = match self.demands()?.preset {
+            Some(preset) => preset.asked_of(wanted),
+            None => wanted,
+        };
+        Ok((wanted, points))
     }
 
     /// The mesh of a domain.

@@ -110,7 +110,7 @@ pub fn draft(
     let posed = Posed::new(domain)?;
     let options = posed.options(domain, wanted)?;
     let found = mindeg_interior::draft(posed.boundary(), &options, most, progress);
-    in_domain(domain, &posed, found.map_err(|error| posed.error(error))?)
+    Ok(in_domain(domain, &posed, found.map_err(|error| posed.error(error))?)?.0)
 }
 
 /// [`mesh`]; `show`, if it is given, gets a mesh soon: of the first packing of points, before it is worked on.
@@ -129,7 +129,7 @@ pub fn mesh_showing(
     let boundary = posed.boundary();
     let mut draft = show.map(|show| {
         |found| {
-            if let Ok(mesh) = in_domain(domain, &posed, found) {
+            if let Ok((mesh, ())) = in_domain(domain, &posed, found) {
                 show(mesh);
             }
         }
@@ -137,21 +137,21 @@ pub fn mesh_showing(
     let draft = draft.as_mut().map(|draft| draft as &mut dyn FnMut(Generated<()>));
     let found = generate_showing(boundary, &options, draft, progress);
     let found = found.map_err(|error| posed.error(error))?;
-    let limit = AngleLimit::new(domain, &posed, &found.report.limits);
-    let report = posed.report(found.report.clone());
-    let mesh = in_domain(domain, &posed, found)?;
+    let (mesh, report) = in_domain(domain, &posed, found)?;
+    let limit = AngleLimit::new(domain, &posed, &report.limits);
+    let report = posed.report(report);
     let sizes = report.sizes.as_ref();
     let coarse_sides = sizes.map(|sizes| coarse::coarse_sides(domain, &sizes.coarse));
     let coarse_sides = coarse_sides.unwrap_or_default();
     Ok(InteriorMesh { mesh, report, limit, coarse_sides })
 }
 
-/// A mesh of the engine as one of the domain.
+/// A mesh of the engine as one of the domain, and its report as it is.
 fn in_domain<R>(
     domain: &Domain,
     posed: &Posed<'_>,
     found: Generated<R>,
-) -> Result<TriMesh, InteriorError> {
+) -> Result<(TriMesh, R), InteriorError> {
     let found = posed.in_domain(found);
     let boundary = &posed.whole;
     let points = found.points.iter().map(|point| point.extend(0.0)).collect();
@@ -178,7 +178,7 @@ fn in_domain<R>(
         true => mesh,
         false => mesh.with_groups(groups),
     };
-    Ok(mesh.called(domain.name()))
+    Ok((mesh.called(domain.name()), found.report))
 }
 
 /// The edges that each segment of the lines was divided into.

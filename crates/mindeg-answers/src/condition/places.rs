@@ -1,8 +1,9 @@
 //! Places of a boundary, in degrees and in words, and its shortest edge.
 
+use crate::numbers;
 use mindeg::Domain;
 use mindeg::glam::DVec2;
-use mindeg_mesh::{coordinate, number};
+use mindeg_mesh::number;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -55,13 +56,13 @@ impl ShortestEdge {
 }
 
 /// A place as a sentence has it: degrees to a tenth of a metre.
-pub(super) fn place_in_words(degrees: Option<[f64; 2]>, at: [f64; 2]) -> String {
+pub(crate) fn place_in_words(degrees: Option<[f64; 2]>, at: [f64; 2]) -> String {
     match (degrees, at) {
         (Some(degrees), _) => {
             let [x, y] = degrees.map(|it| (it * 1e6).round() / 1e6);
             format!("longitude {x}, latitude {y}")
         }
-        (None, at) => format!("({}, {})", coordinate(at[0]), coordinate(at[1])),
+        (None, at) => numbers::place(&at),
     }
 }
 

@@ -21,9 +21,22 @@ const KEPT: usize = 8;
 pub(crate) const BROKEN: f64 = 0.4;
 pub(crate) const LOST: f64 = 0.5;
 
+/// By how much the degree of a vertex is out of its range; 0 where it has no triangle.
+fn excess_at(mesh: &SurfaceMesh<'_>, weights: &Weights, vertex: u32) -> u32 {
+    match mesh.vertices[vertex as usize].triangles {
+        0 => 0,
+        _ => weights.excess(mesh, vertex),
+    }
+}
+
+/// The same of some vertices, together.
+pub(crate) fn excess_of(mesh: &SurfaceMesh<'_>, weights: &Weights, vertices: &[u32]) -> u32 {
+    vertices.iter().map(|v| excess_at(mesh, weights, *v)).sum()
+}
+
 /// True if the degree of a vertex is out of its range.
 pub(crate) fn is_broken(mesh: &SurfaceMesh<'_>, weights: &Weights, vertex: u32) -> bool {
-    mesh.vertices[vertex as usize].triangles > 0 && weights.excess(mesh, vertex) > 0
+    excess_at(mesh, weights, vertex) > 0
 }
 
 /// Does the best of the shortest chains that lower the excess and keep what must be kept, looking at `most` operations. True
@@ -81,14 +94,6 @@ struct Search<'a, 's> {
 }
 
 impl Search<'_, '_> {
-    /// By how much the degree of a vertex is out of its range.
-    fn excess_at(&self, vertex: u32) -> u32 {
-        match self.mesh.vertices[vertex as usize].triangles {
-            0 => 0,
-            _ => self.weights.excess(self.mesh, vertex),
-        }
-    }
-
     /// Tries all operations at the last broken vertex that mend it.
     fn extend(&mut self, chain: &mut Chain, broken: &[u32], excess: u32, length: u32) {
         let Some(&vertex) = broken.last() else { return };
@@ -125,7 +130,7 @@ impl Search<'_, '_> {
         let mut before_at = |v: u32| {
             let found = known.iter().find(|known| known.0 == v).map(|known| known.1);
             found.unwrap_or_else(|| {
-                let excess = self.excess_at(v);
+                let excess = excess_at(self.mesh, self.weights, v);
                 known.push((v, excess));
                 excess
             })
@@ -141,7 +146,8 @@ impl Search<'_, '_> {
         let first = self.mesh.triangles.len() as u32;
         cavity.carry_out(self.mesh);
         // Vertices that were broken from the start may be mended, too.
-        let after: Vec<u32> = cavity.vertices.iter().map(|v| self.excess_at(*v)).collect();
+        let after = cavity.vertices.iter().map(|v| excess_at(self.mesh, self.weights, *v));
+        let after: Vec<u32> = after.collect();
         let next = (excess + after.iter().sum::<u32>()).saturating_sub(before);
         let is_mended =
             cavity.vertices.iter().zip(&after).any(|(v, excess)| *v == vertex && *excess < own);
@@ -185,11 +191,8 @@ fn carried_out(mesh: &mut SurfaceMesh<'_>, weights: &Weights, chain: &Chain) -> 
     let mut bench = Bench::new(mesh, weights.clone());
     let is_used =
         |bench: &Bench<'_, OnSurface<'_>>, v: &u32| bench.mesh.vertices[*v as usize].triangles > 0;
-    let excess = |bench: &Bench<'_, OnSurface<'_>>, vertices: &[u32]| -> u32 {
-        let used = vertices.iter().filter(|v| is_used(bench, v));
-        used.map(|v| bench.weights.excess(bench.mesh, *v)).sum()
-    };
-    let (before, share) = (excess(&bench, &old), least_share(bench.mesh, weights, &old));
+    let before = excess_of(bench.mesh, weights, &old);
+    let share = least_share(bench.mesh, weights, &old);
     let survey = OnSurface::survey(bench.mesh, &old, false);
     let is_done = chain
         .operations
@@ -198,7 +201,7 @@ fn carried_out(mesh: &mut SurfaceMesh<'_>, weights: &Weights, chain: &Chain) -> 
     let is_good = is_done && {
         let used: Vec<u32> = vertices.iter().copied().filter(|v| is_used(&bench, v)).collect();
         let keeps = |survey| OnSurface::keeps(bench.mesh, &survey, &used);
-        excess(&bench, &vertices) < before
+        excess_of(bench.mesh, weights, &vertices) < before
             && least_share(bench.mesh, weights, &used) >= BROKEN.min(LOST * share)
             && survey.is_none_or(keeps)
     };

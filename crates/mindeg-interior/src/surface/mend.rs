@@ -8,7 +8,7 @@ use crate::manifold::Manifold;
 use crate::operations::{Cavity, Operation};
 use crate::smooth::Ring;
 use crate::stage::Stage;
-use crate::surface::chains::{BROKEN, LOST, is_broken, is_mended, least_share};
+use crate::surface::chains::{BROKEN, LOST, excess_of, is_broken, is_mended, least_share};
 use crate::surface::reference::OnSurface;
 use crate::surface::work::SurfaceMesh;
 use mindeg_mesh::Cancelled;
@@ -72,10 +72,7 @@ fn is_frozen(mesh: &SurfaceMesh<'_>, vertex: u32, star: &mut Vec<u32>) -> bool {
 fn is_mended_with_room(mesh: &mut SurfaceMesh<'_>, weights: &Weights, vertex: u32) -> bool {
     let (mark, given) = (mesh.mark(), mesh.vertices.len() as u32);
     let near = rings(mesh, vertex, RINGS);
-    let excess = |mesh: &SurfaceMesh<'_>, vertices: &[u32]| -> u32 {
-        vertices.iter().map(|v| weights.excess(mesh, *v)).sum()
-    };
-    let (before, share) = (excess(mesh, &near), least_share(mesh, weights, &near));
+    let (before, share) = (excess_of(mesh, weights, &near), least_share(mesh, weights, &near));
     let survey = OnSurface::survey(mesh, &near, false);
     let now = |mesh: &SurfaceMesh<'_>| -> Vec<u32> {
         let new = given..mesh.vertices.len() as u32;
@@ -92,7 +89,7 @@ fn is_mended_with_room(mesh: &mut SurfaceMesh<'_>, weights: &Weights, vertex: u3
         }
     }
     let after = now(mesh);
-    let is_good = excess(mesh, &after) < before
+    let is_good = excess_of(mesh, weights, &after) < before
         && least_share(mesh, weights, &after) >= BROKEN.min(LOST * share)
         && survey.is_none_or(|survey| OnSurface::keeps(mesh, &survey, &after));
     if !is_good {
