@@ -34,6 +34,61 @@ fn every_format_keeps_regions_lines_and_the_proof() {
     }
 }
 
+/// A basin with a weir and a gauge, each a feature of its own.
+#[test]
+fn lines_and_points_of_geojson_are_in_the_mesh_under_their_names() {
+    let folder = tempdir().expect("a folder");
+    let feature = |name: &str, geometry: &str| {
+        format!(
+            r#"{{"type": "Feature", "properties": {{"name": "{name}"}}, "geometry": {geometry}}}"#
+        )
+    };
+    let basin = r#"{"type": "Polygon", "coordinates": [[[0, 0], [8, 0], [8, 8], [0, 8], [0, 0]]]}"#;
+    let features = [
+        feature("basin", basin),
+        feature("weir", r#"{"type": "LineString", "coordinates": [[2, 2], [4, 3], [6, 2]]}"#),
+        feature("gauge", r#"{"type": "Point", "coordinates": [4, 6]}"#),
+    ];
+    let given = folder.path().join("basin.geojson");
+    let of_features = |all: &[String]| {
+        format!(r#"{{"type": "FeatureCollection", "features": [{}]}}"#, all.join(", "))
+    };
+    fs::write(&given, of_features(&features)).expect("a file");
+    for inside in [&[][..], &["--interior"]] {
+        let mesh = folder.path().join("basin.inp");
+        let arguments = ["mesh", text(&given), "--size", "1", "-o", text(&mesh)];
+        let run = mindeg(arguments.iter().chain(inside));
+        assert_eq!(run.code, Some(0), "{}", run.errors);
+        assert!(
+            run.errors.contains("basin.geojson: 1 line and 1 point inside the polygons\n"),
+            "{}",
+            run.errors
+        );
+        let written = fs::read_to_string(&mesh).expect("a mesh");
+        assert!(
+            ["NSET=weir\n", "NSET=gauge\n", ", 4, 6, 0\n"]
+                .iter()
+                .all(|words| written.contains(words)),
+            "{written}"
+        );
+    }
+    // A line that leaves the basin has no place there but by a repair.
+    let out = feature("road", r#"{"type": "LineString", "coordinates": [[1, 1], [9, 1]]}"#);
+    fs::write(&given, of_features(&[&features[..], &[out]].concat())).expect("a file");
+    let refused = mindeg(["degree", text(&given)]);
+    assert!(
+        refused.errors.contains("(8.0, 1.0): a line meets a border of basin there"),
+        "{}",
+        refused.errors
+    );
+    let repaired = mindeg(["degree", text(&given), "--repair"]);
+    assert!(
+        repaired.errors.contains("dropped 1 edge of lines outside the polygons"),
+        "{}",
+        repaired.errors
+    );
+}
+
 /// Two sides, a hole and no other thing are called wall, two lines interface.
 const SHARED: &str = r#"{"rectangle": {"width": 4, "height": 2}, "size": 0.5, "name": "plate",
     "sides": [{"name": "wall"}, {"name": "outlet"}, {"name": "wall"}, {"name": "inlet"}],

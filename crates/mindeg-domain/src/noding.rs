@@ -2,13 +2,15 @@
 //!
 //! Limits: curved sides of lines meet others as they are divided, and must be given by their points to cross.
 
+use std::collections::{HashMap, HashSet};
+
 use glam::DVec2;
 use mindeg_mesh::planar::orientation;
 
 use crate::curve::Curve;
 use crate::error::DomainError;
 use crate::inside::Inside;
-use crate::joined::{Chain, Lookup};
+use crate::joined::Chain;
 use crate::outline::Ring;
 use crate::side::{Intervals, Side};
 use crate::spacing::Spacing;
@@ -29,7 +31,7 @@ pub(crate) fn node(inside: &mut Inside, reach: f64) -> Result<Vec<String>, Domai
         for ([one, other], at) in found {
             let mut is_new = false;
             for line in [one, other] {
-                is_new |= corner(&mut inside.lines[line], at, reach, line)?;
+                is_new |= give_corners(&mut inside.lines[line], at, reach, line)?;
             }
             if is_new {
                 let DVec2 { x, y } = at;
@@ -92,8 +94,25 @@ fn crossings(inside: &Inside) -> Result<Vec<([usize; 2], DVec2)>, DomainError> {
             }
         }
     }
+    found.extend(shared(inside)?);
     found.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.x.total_cmp(&b.1.x)).then(a.1.y.total_cmp(&b.1.y)));
     found.dedup();
+    Ok(found)
+}
+
+/// Points that lines have in common, or one line several times, which are a corner nowhere.
+fn shared(inside: &Inside) -> Result<Vec<([usize; 2], DVec2)>, DomainError> {
+    let key = |at: DVec2| at.to_array().map(|it| (it + 0.0).to_bits());
+    let corners = inside.lines.iter().flat_map(|line| &line.corners);
+    let corners: HashSet<_> = corners.map(|&at| key(at)).collect();
+    let mut first = HashMap::new();
+    let mut found = Vec::new();
+    for (line, given) in inside.lines.iter().enumerate() {
+        for at in Chain::new(line, given)?.points {
+            let before = first.insert(key(at), line).filter(|_| !corners.contains(&key(at)));
+            found.extend(before.map(|other| ([other, line], at)));
+        }
+    }
     Ok(found)
 }
 
@@ -120,31 +139,56 @@ fn crossing(one: &LineEdge, other: &LineEdge) -> Option<DVec2> {
     passed(other, of_one, one).or_else(|| passed(one, of_other, other))
 }
 
-/// Gives a line a corner at a point of it; whether it had none.
-fn corner(line: &mut Ring, at: DVec2, reach: f64, index: usize) -> Result<bool, DomainError> {
-    if Lookup::new(line.corners.iter().copied(), reach).near(at, |_| true).is_some() {
-        return Ok(false);
-    }
-    let Some((side, cut)) = cut_of(0, line, at, reach) else { return Ok(false) };
-    match (cut, line.sides[side.index].curve.clone()) {
-        (Cut::Point(piece), Curve::Polyline(points)) => {
-            let own = line.sides[side.index].clone();
-            let part = |points: &[DVec2]| Side {
-                curve: Curve::Polyline(points.to_vec()),
-                intervals: Intervals::Points,
-                spacing: Spacing::Uniform,
-                ..own.clone()
-            };
-            let parts = [part(&points[..piece]), part(&points[piece..])];
-            line.sides.splice(side.index..=side.index, parts);
-            line.corners.insert(side.index + 1, at);
+/// Gives a line a corner wherever it passes a place; whether one is new.
+fn give_corners(line: &mut Ring, at: DVec2, reach: f64, index: usize) -> Result<bool, DomainError> {
+    let mut is_new = false;
+    loop {
+        if let Some((side, cut)) = cut_of(0, line, at, reach) {
+            match (cut, &line.sides[side.index].curve) {
+                (Cut::Point(piece), Curve::Polyline(_)) => {
+                    split(line, side.index, at, [piece; 2]);
+                }
+                (cut, _) => apply(line, side.index, cut, at, &format!("line {}", index + 1))?,
+            }
+        } else if let Some((side, point)) = point_at(line, at) {
+            split(line, side, at, [point, point + 1]);
+        } else {
+            break;
         }
-        (cut, _) => {
-            let name = format!("line {}", index + 1);
-            apply(line, side.index, cut, at, &name)?;
-        }
+        is_new = true;
     }
-    Ok(true)
+    // A side from a corner back to it gets one between.
+    let is_loop = |line: &Ring, side: usize| line.corners.get(side) == line.corners.get(side + 1);
+    while let Some(side) = (0..line.sides.len()).find(|&side| is_loop(line, side)) {
+        let Curve::Polyline(points) = &line.sides[side].curve else { break };
+        let Some(&first) = points.first() else { break };
+        split(line, side, first, [0, 1]);
+    }
+    Ok(is_new)
+}
+
+/// The side of a line that has a place among its points between corners, and the index of the point.
+fn point_at(line: &Ring, at: DVec2) -> Option<(usize, usize)> {
+    let of_side = |(index, side): (usize, &Side)| match &side.curve {
+        Curve::Polyline(points) => Some((index, points.iter().position(|&point| point == at)?)),
+        _ => None,
+    };
+    line.sides.iter().enumerate().find_map(of_side)
+}
+
+/// Makes two sides of one with points: the first ends before one of its points, the second begins at another.
+fn split(line: &mut Ring, index: usize, corner: DVec2, [end, start]: [usize; 2]) {
+    let own = line.sides[index].clone();
+    let Curve::Polyline(points) = &own.curve else { return };
+    let part = |points: &[DVec2]| Side {
+        curve: Curve::Polyline(points.to_vec()),
+        intervals: Intervals::Points,
+        spacing: Spacing::Uniform,
+        ..own.clone()
+    };
+    let parts = [part(&points[..end]), part(&points[start..])];
+    line.sides.splice(index..=index, parts);
+    line.corners.insert(index + 1, corner);
 }
 
 #[cfg(test)]
@@ -156,6 +200,40 @@ mod tests {
         {"points": [[2, 0.5], [2.25, 0.875], [2.25, 1.5]], "name": "b"},
         {"corners": [[1.5, 0.5], [1.5, 1.5]], "size": 0.3},
         {"corners": [[3.5, 0.5], [3.5, 1.5]], "intervals": 2}, {"corners": [[3.2, 1], [3.8, 1]], "intervals": 1}]}"#;
+
+    /// Lines in a square of side 4, which `--repair` gives corners.
+    fn noded(lines: &str) -> Domain {
+        let given = format!(
+            r#"{{"rectangle": {{"width": 4, "height": 4}}, "size": 1, "lines": [{lines}]}}"#
+        );
+        assert!(Domain::from_json(&given).is_err(), "{lines}");
+        let noded = Domain::from_json_noded(&given).unwrap();
+        assert_eq!(Domain::from_json(&noded.to_json()).unwrap().inside(), noded.inside());
+        noded
+    }
+
+    #[test]
+    fn lines_that_share_a_point_or_cross_themselves_get_corners() {
+        for (lines, corners) in [
+            (
+                r#"{"points": [[1, 1], [2, 2], [3, 3]]}, {"points": [[1, 3], [2, 2], [3, 1]]}"#,
+                [3, 3],
+            ),
+            (
+                r#"{"points": [[1, 1], [3, 3], [3, 1], [1, 3]]}, {"points": [[1, 3.5], [3, 3.5]]}"#,
+                [5, 2],
+            ),
+            (
+                r#"{"points": [[1, 1], [2, 2], [3, 3], [3, 1], [2, 2], [1, 3]]}, {"points": [[1, 3.5], [3, 3.5]]}"#,
+                [5, 2],
+            ),
+        ] {
+            let domain = noded(lines);
+            let found = domain.inside().lines.iter().map(|line| line.corners.len());
+            assert!(found.eq(corners), "{lines}");
+            assert!(domain.notes().iter().all(|note| note.contains("(2.0, 2.0)")), "{lines}");
+        }
+    }
 
     #[test]
     fn lines_that_cross_get_a_vertex_there_if_asked() {

@@ -10,6 +10,7 @@ use mindeg_outlines::{
     Outlines, PeriodicCurve, Polygon, ProjectionChoice, Selection, SideKinds, with_kinds,
     with_periodic_sides,
 };
+use std::borrow::Cow;
 use std::path::Path;
 
 /// How the outlines of a file become polygons.
@@ -130,13 +131,8 @@ impl PolygonFile {
             stem.clone_into(&mut polygon.label);
         }
         if let Some(wanted) = &options.feature {
-            if !std::mem::take(&mut inside).is_empty() {
-                notes.push(format!(
-                    "left out lines and points inside, for {}feature",
-                    session.dashes()
-                ));
-            }
             polygons = outlines::chosen(polygons, wanted).map_err(wrong)?;
+            inside.keep_within(polygons.iter().map(|polygon| &polygon.feature));
         }
         Ok(Self {
             file: input.name(),
@@ -170,10 +166,14 @@ impl PolygonFile {
     ///
     /// The reason why it is not a domain, under its name.
     pub fn domain(&self, polygon: &Polygon) -> Result<Domain, FileError> {
-        let is_plain = self.inside.is_empty() && polygon.feature.max_area.is_none();
-        let domain = match &self.polygons[..] {
-            [_] if !is_plain => polygon.map(&self.inside, &self.division),
-            _ => polygon.domain(&self.division),
+        let mut inside = Cow::Borrowed(&self.inside);
+        if self.polygons.len() > 1 && !inside.is_empty() {
+            inside.to_mut().keep_within([&polygon.feature]);
+        }
+        let is_plain = inside.is_empty() && polygon.feature.max_area.is_none();
+        let domain = match is_plain {
+            true => polygon.domain(&self.division),
+            false => polygon.map(&inside, &self.division),
         };
         let domain = domain
             .and_then(|domain| with_periodic_sides(domain, &self.periodic))

@@ -123,6 +123,48 @@ mod tests {
     }
 
     #[test]
+    fn lines_and_points_lie_inside() {
+        let square = r#"{"type": "Polygon", "coordinates": [[[0, 0], [8, 0], [8, 8], [0, 8]]]}"#;
+        let geojson = format!(
+            r#"{{"type": "FeatureCollection", "features": [
+                {{"type": "Feature", "geometry": {square}}},
+                {{"type": "Feature", "properties": {{"name": "weir"}},
+                  "geometry": {{"type": "LineString", "coordinates": [[1, 1], [2, 1], [2, 1], [2, 2]]}}}},
+                {{"type": "Feature", "properties": {{"name": "gauges"}},
+                  "geometry": {{"type": "MultiPoint", "coordinates": [[5, 5], [6, 5], [5, 5]]}}}},
+                {{"type": "Point", "coordinates": []}}]}}"#
+        );
+        // The same by halves.
+        let topojson = r#"{"type": "Topology", "transform": {"scale": [0.5, 0.5], "translate": [1, 1]},
+            "arcs": [[[-2, -2], [16, 0], [0, 16], [-16, 0], [0, -16]], [[0, 0], [2, 0], [0, 2]]],
+            "objects": {"all": {"type": "GeometryCollection", "geometries": [
+                {"type": "Polygon", "arcs": [[0]]},
+                {"type": "LineString", "arcs": [1], "properties": {"name": "weir"}},
+                {"type": "MultiPoint", "coordinates": [[8, 8], [10, 8]], "properties": {"name": "gauges"}}]}}}"#;
+        for text in [&*geojson, topojson] {
+            let Outlines { features, inside, notes, .. } = read(text).unwrap();
+            assert_eq!(features.len(), 1);
+            let words = notes.concat();
+            assert!(
+                words.contains("1 line and") && words.contains("points inside the polygons"),
+                "{words}"
+            );
+            let ends = inside.lines.iter().map(|line| [line.segment.start, line.segment.end]);
+            let at = |x, y| DVec2::new(x, y);
+            assert!(
+                ends.eq([[at(1.0, 1.0), at(2.0, 1.0)], [at(2.0, 1.0), at(2.0, 2.0)]]),
+                "{inside:?}"
+            );
+            assert!(inside.lines.iter().all(|line| line.side.as_deref() == Some("weir")));
+            let points = inside.points.iter().map(|it| (it.at, it.name.as_deref()));
+            assert!(
+                points.eq([at(5.0, 5.0), at(6.0, 5.0)].map(|at| (at, Some("gauges")))),
+                "{inside:?}"
+            );
+        }
+    }
+
+    #[test]
     fn what_is_left_out_is_said() {
         let outlines = read(
             r#"{"type": "GeometryCollection", "geometries": [
@@ -133,7 +175,11 @@ mod tests {
         let outlines = outlines.unwrap();
         assert_eq!(
             outlines.notes,
-            ["left out 2 Points, 1 empty polygon", "left out the heights of positions"]
+            [
+                "left out 1 empty polygon",
+                "2 points inside the polygons",
+                "left out the heights of positions"
+            ]
         );
         assert_eq!(outlines.features[0].rings.len(), 2);
     }
@@ -169,7 +215,7 @@ mod tests {
             (r#"{"type": "Topology", "arcs": []}"#, "\"objects\" is missing"),
             (
                 r#"{"type": "LineString", "coordinates": []}"#,
-                "no Polygon or MultiPolygon, only 1 LineString",
+                "no Polygon or MultiPolygon, only 1 line",
             ),
             (
                 r#"{"type": "FeatureCollection", "features": []}"#,

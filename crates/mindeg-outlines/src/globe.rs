@@ -6,14 +6,15 @@
 mod box_sides;
 mod touching;
 
+use std::iter::once;
 use std::str::FromStr;
 use std::sync::Arc as Shared;
 
 use glam::DVec2;
-use mindeg_domain::{GlobeRegion, Projection};
+use mindeg_domain::{GlobeRegion, InnerPoint, Projection};
 
-use super::curve::PieceCurve;
-use super::outline::{DrawnRing, Outlines, Piece};
+use super::curve::{PieceCurve, Segment};
+use super::outline::{Border, DrawnInside, DrawnRing, Outlines, Piece};
 use super::text::counted;
 use crate::error::OutlineError;
 use box_sides::{BoxSides, NEAR, turned};
@@ -129,12 +130,10 @@ impl Outlines {
             self.is_geographic = false;
             return Ok((self, None));
         }
-        if !self.inside.is_empty() {
-            let problem = "lines and points inside are not projected; leave them out";
-            return Err(wrong(problem.to_owned()));
-        }
         let rings = || self.features.iter().flat_map(|feature| &feature.rings);
-        rings().try_for_each(check)?;
+        rings().flat_map(|ring| ring.segments()).try_for_each(check)?;
+        self.inside.lines.iter().map(|line| line.segment).try_for_each(check)?;
+        self.inside.points.iter().try_for_each(|point| expect_degrees(point.at).map_err(wrong))?;
         let starts = || rings().flat_map(|ring| ring.pieces.iter().map(|piece| piece.start));
         let Some(projection) = choice.of(starts()).map_err(wrong)? else {
             return Ok((self, None));
@@ -166,6 +165,7 @@ impl Outlines {
         for ring in self.features.iter_mut().flat_map(|feature| &mut feature.rings) {
             *ring = projecting.ring(ring)?;
         }
+        self.inside = projecting.inside(&self.inside)?;
         let Projecting { added, named, .. } = projecting;
         let mut note = format!(
             "projected degrees by {} ({projection}): lengths in the plane are {least:.4} to {most:.4} of those on the ground",
@@ -188,18 +188,15 @@ impl Outlines {
     }
 }
 
-/// Refuses a ring that is not of degrees.
-fn check(ring: &DrawnRing) -> Result<(), OutlineError> {
-    for Piece { start, curve, .. } in &ring.pieces {
-        if *curve != PieceCurve::Line {
-            return Err(OutlineError::place(
-                "",
-                "curves are not projected; only straight edges are",
-            ));
-        }
-        expect_degrees(*start).map_err(|problem| OutlineError::place("", problem))?;
+/// Refuses an edge that is not of degrees.
+fn check(edge: Segment) -> Result<(), OutlineError> {
+    if edge.curve != PieceCurve::Line {
+        return Err(OutlineError::place("", "curves are not projected; only straight edges are"));
     }
-    Ok(())
+    let ends = [edge.start, edge.end];
+    ends.into_iter()
+        .try_for_each(expect_degrees)
+        .map_err(|problem| OutlineError::place("", problem))
 }
 
 fn expect_degrees(at: DVec2) -> Result<(), String> {
@@ -249,6 +246,18 @@ fn without_seams(pieces: &[Piece]) -> Vec<Piece> {
     kept
 }
 
+/// The ends of an edge, each with a longitude from -180 to 180. All meridians meet at a pole: an edge there follows its own.
+fn along(ends: [DVec2; 2]) -> [DVec2; 2] {
+    let mut ends = ends.map(|end| DVec2::new(turned(end.x), end.y));
+    let longitudes = ends.map(|end| end.x);
+    for (end, other) in ends.iter_mut().zip([longitudes[1], longitudes[0]]) {
+        if is_pole(*end) {
+            end.x = other;
+        }
+    }
+    ends
+}
+
 struct Projecting {
     projection: Projection,
     sides: BoxSides,
@@ -276,42 +285,20 @@ impl Projecting {
         }
         let mut projected: Vec<Piece> = Vec::with_capacity(pieces.len());
         for (index, piece) in pieces.iter().enumerate() {
-            let mut ends = [piece.start, pieces[(index + 1) % pieces.len()].start];
-            ends.iter_mut().for_each(|end| end.x = turned(end.x));
-            // All meridians meet at a pole: an edge there follows its own.
-            let longitudes = ends.map(|end| end.x);
-            for (end, other) in ends.iter_mut().zip([longitudes[1], longitudes[0]]) {
-                if is_pole(*end) {
-                    end.x = other;
-                }
-            }
+            let ends = along([piece.start, pieces[(index + 1) % pieces.len()].start]);
             let of_box =
                 self.sides.name(ends).filter(|_| piece.side.is_none() && ends[0] != ends[1]);
             self.named += usize::from(of_box.is_some());
             let side = of_box.map(Shared::from).or(piece.side.clone());
-            let start = self.projection.to_plane(ends[0]);
-            if !start.is_finite() {
-                let problem = format!(
-                    "({}, {}) has no place in {}: it is too far from the middle; choose another projection",
-                    piece.start.x,
-                    piece.start.y,
-                    self.projection.name()
-                );
-                return Err(OutlineError::place("", problem));
-            }
+            let start = self.place(ends[0])?;
             if projected.last().is_some_and(|before| before.start == start) {
                 projected.pop();
             }
             projected.push(Piece { start, side: side.clone(), ..piece.clone() });
-            // The short way round.
-            ends[1].x = ends[0].x + turned(ends[1].x - ends[0].x);
-            let mut points = Vec::new();
-            let places = ends.map(|end| self.projection.to_plane(DVec2::new(turned(end.x), end.y)));
-            let most = MOST_BENT * places[0].distance(places[1]);
-            self.bend(ends, places, most, &mut points);
-            self.added += points.len();
             projected.extend(
-                points.into_iter().map(|start| Piece { side: side.clone(), ..Piece::line(start) }),
+                self.bends(ends)
+                    .into_iter()
+                    .map(|start| Piece { side: side.clone(), ..Piece::line(start) }),
             );
         }
         while projected.len() > 1
@@ -320,6 +307,55 @@ impl Projecting {
             projected.pop();
         }
         Ok(DrawnRing { pieces: projected })
+    }
+
+    /// Lines and points in the plane.
+    fn inside(&mut self, inside: &DrawnInside) -> Result<DrawnInside, OutlineError> {
+        let mut projected = DrawnInside::default();
+        for line in &inside.lines {
+            let ends = along([line.segment.start, line.segment.end]);
+            let [start, end] = [self.place(ends[0])?, self.place(ends[1])?];
+            let bends = self.bends(ends);
+            let points: Vec<DVec2> = once(start).chain(bends).chain([end]).collect();
+            let edges = points.windows(2).filter(|ends| ends[0] != ends[1]);
+            projected.lines.extend(edges.enumerate().map(|(index, ends)| Border {
+                segment: Segment { start: ends[0], end: ends[1], curve: PieceCurve::Line },
+                begins_side: line.begins_side && index == 0,
+                ..line.clone()
+            }));
+        }
+        for point in &inside.points {
+            let at = self.place(along([point.at; 2])[0])?;
+            projected.points.push(InnerPoint { at, ..point.clone() });
+        }
+        Ok(projected)
+    }
+
+    /// The place of a point in the plane.
+    fn place(&self, degrees: DVec2) -> Result<DVec2, OutlineError> {
+        let place = self.projection.to_plane(degrees);
+        if place.is_finite() {
+            return Ok(place);
+        }
+        let problem = format!(
+            "({}, {}) has no place in {}: it is too far from the middle; choose another projection",
+            degrees.x,
+            degrees.y,
+            self.projection.name()
+        );
+        Err(OutlineError::place("", problem))
+    }
+
+    /// Points between the ends of an edge, where it bends.
+    fn bends(&mut self, mut ends: [DVec2; 2]) -> Vec<DVec2> {
+        // The short way round.
+        ends[1].x = ends[0].x + turned(ends[1].x - ends[0].x);
+        let mut points = Vec::new();
+        let places = ends.map(|end| self.projection.to_plane(DVec2::new(turned(end.x), end.y)));
+        let most = MOST_BENT * places[0].distance(places[1]);
+        self.bend(ends, places, most, &mut points);
+        self.added += points.len();
+        points
     }
 
     /// Points on an edge of degrees until the plane's edges are at most as far from it as `most`; the same both ways round.

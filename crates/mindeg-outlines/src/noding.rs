@@ -1,12 +1,13 @@
 //! Lines inside polygons that cross each other or a ring get a point there, and so does the ring.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashSet};
 
 use glam::DVec2;
 use mindeg_mesh::sorted;
 
 use super::curve::{PieceCurve, Segment};
-use super::outline::{Border, Outlines, Piece};
+use super::nesting::{Loop, smallest_around};
+use super::outline::{Border, DrawnInside, DrawnRing, Feature, Outlines, Piece, key};
 use super::overlay::crossings::parted;
 use super::overlay::edge::Edge;
 use super::text::counted;
@@ -35,13 +36,61 @@ impl Chords {
     }
 }
 
+impl DrawnInside {
+    /// Keeps what lies within some polygons; edges and points along their rings do not, but points at vertices do. Time: edges and
+    /// points times vertices of the polygons around them.
+    pub fn keep_within<'a>(&mut self, polygons: impl IntoIterator<Item = &'a Feature> + Clone) {
+        let rings = || polygons.clone().into_iter().map(|polygon| &polygon.rings);
+        let loops = |rings: &Vec<DrawnRing>| -> Vec<Loop> {
+            rings.iter().map(|ring| Loop::new(ring.flattened())).collect()
+        };
+        let loops: Vec<Vec<Loop>> = rings().map(loops).collect();
+        let starts = rings().flatten().flat_map(|ring| &ring.pieces).map(|piece| key(piece.start));
+        let vertices: HashSet<_> = starts.collect();
+        let is_in = |at: DVec2| {
+            loops.iter().any(|rings| {
+                let [outer, holes @ ..] = &rings[..] else { return false };
+                let is_in_ring = |ring: &Loop| smallest_around([(0, ring)], &[at]).is_some();
+                is_in_ring(outer) && !holes.iter().any(is_in_ring)
+            })
+        };
+        self.lines.retain(|line| is_in(line.segment.point(0.5)));
+        self.points.retain(|point| vertices.contains(&key(point.at)) || is_in(point.at));
+    }
+}
+
 impl Outlines {
+    /// Gives lines inside, and rings that they cross, a point where they meet, and drops what lies outside all polygons.
+    ///
+    /// # Errors
+    ///
+    /// The errors of [`Self::node_inside`].
+    pub(super) fn clip_inside(&mut self) -> Result<(), OutlineError> {
+        if self.inside.is_empty() {
+            return Ok(());
+        }
+        self.node_inside()?;
+        let before = [self.inside.lines.len(), self.inside.points.len()];
+        self.inside.keep_within(&self.features);
+        let DrawnInside { lines, points } = &self.inside;
+        let dropped = [before[0] - lines.len(), before[1] - points.len()];
+        let [edges, points] = [counted(dropped[0], "edge"), counted(dropped[1], "point")];
+        let dropped = match dropped {
+            [0, 0] => return Ok(()),
+            [0, _] => points,
+            [_, 0] => format!("{edges} of lines"),
+            _ => format!("{edges} of lines and {points}"),
+        };
+        self.notes.push(format!("dropped {dropped} outside the polygons or along their rings"));
+        Ok(())
+    }
+
     /// Gives lines inside, and rings that they cross, a point where they meet. Edges that are there twice stay once.
     ///
     /// # Errors
     ///
     /// Edges too many or too near each other to be told apart in some seconds.
-    pub(super) fn node_inside(&mut self) -> Result<(), OutlineError> {
+    fn node_inside(&mut self) -> Result<(), OutlineError> {
         if self.inside.lines.is_empty() {
             return Ok(());
         }
@@ -114,5 +163,75 @@ impl Outlines {
             counted(added, "point")
         ));
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{OutlineFormat, ProjectionChoice, read};
+
+    /// Two squares side by side, a line through both and beyond, and points within, at a vertex, on an edge and outside.
+    fn given() -> Outlines {
+        let wkt = "POLYGON((0 0,4 0,4 4,0 4)) POLYGON((4 0,8 0,8 4,4 4)) LINESTRING(1 1,9 1) \
+                   MULTIPOINT(2 2, 4 4, 4 2, 9 9)";
+        read(wkt.as_bytes(), OutlineFormat::Wkt, |_| Err(std::io::ErrorKind::NotFound.into()))
+            .unwrap()
+    }
+
+    fn places(inside: &DrawnInside) -> (Vec<[[f64; 2]; 2]>, Vec<[f64; 2]>) {
+        let ends = |line: &Border| [line.segment.start, line.segment.end].map(|at| at.to_array());
+        let lines = inside.lines.iter().map(ends).collect();
+        (lines, inside.points.iter().map(|point| point.at.to_array()).collect())
+    }
+
+    #[test]
+    fn a_repair_keeps_what_lies_within_the_polygons() {
+        for repaired in
+            [given().repaired(None).unwrap(), given().repaired_together(None, None).unwrap()]
+        {
+            let (lines, points) = places(&repaired.inside);
+            assert_eq!(lines, [[[1.0, 1.0], [4.0, 1.0]], [[4.0, 1.0], [8.0, 1.0]]]);
+            assert_eq!(points, [[2.0, 2.0], [4.0, 4.0]]);
+            let note =
+                "dropped 1 edge of lines and 2 points outside the polygons or along their rings";
+            assert!(repaired.notes.iter().any(|said| said == note), "{:?}", repaired.notes);
+            // Both squares have the point where the line crosses their border.
+            let has_point = |feature: &Feature| {
+                feature.rings[0].pieces.iter().any(|piece| piece.start == DVec2::new(4.0, 1.0))
+            };
+            assert!(repaired.features.iter().all(has_point));
+        }
+    }
+
+    #[test]
+    fn a_polygon_has_its_own_lines_and_points() {
+        let Outlines { features, mut inside, .. } = given().repaired(None).unwrap();
+        inside.keep_within(&features[1..]);
+        assert_eq!(places(&inside), (vec![[[4.0, 1.0], [8.0, 1.0]]], vec![[4.0, 4.0]]));
+    }
+
+    #[test]
+    fn lines_and_points_are_projected_as_rings_are() {
+        let (plane, _) = given().projected(ProjectionChoice::Auto).unwrap();
+        let start =
+            |feature: usize, piece: usize| plane.features[feature].rings[0].pieces[piece].start;
+        let corner = plane.inside.points[1].at;
+        assert!(
+            plane
+                .features
+                .iter()
+                .all(|it| it.rings[0].pieces.iter().any(|piece| piece.start == corner))
+        );
+        // A line in degrees bends in the plane.
+        let lines = &plane.inside.lines;
+        assert!(
+            lines.len() > 2
+                && lines.windows(2).all(|pair| pair[0].segment.end == pair[1].segment.start)
+        );
+        let length: f64 = lines.iter().map(|line| line.segment.length()).sum();
+        let twice = start(0, 0).distance(start(1, 0)) * 2.0;
+        assert!((length / twice - 1.0).abs() < 0.01, "{length} {twice}");
+        assert_eq!(lines.iter().filter(|line| line.begins_side).count(), 1);
     }
 }

@@ -1,6 +1,6 @@
 //! The contents of a file of outlines: polygons with holes, whose boundary may be curved.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashSet};
 use std::str::FromStr;
 use std::sync::Arc as Shared;
 
@@ -62,6 +62,28 @@ impl DrawnInside {
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.lines.is_empty() && self.points.is_empty()
+    }
+
+    /// Adds a line through points; one of a single place is none.
+    pub(super) fn add_line(&mut self, points: &[DVec2], name: Option<&str>) {
+        let name: Option<Shared<str>> = name.map(Shared::from);
+        let edges = points.windows(2).filter(|ends| ends[0] != ends[1]);
+        self.lines.extend(edges.enumerate().map(|(index, ends)| Border {
+            segment: Segment { start: ends[0], end: ends[1], curve: PieceCurve::Line },
+            side: name.clone(),
+            begins_side: index == 0,
+            beside: [None; 2],
+        }));
+    }
+
+    pub(super) fn add_point(&mut self, at: DVec2, name: Option<&str>) {
+        self.points.push(InnerPoint { at, name: name.map(str::to_owned), size: None });
+    }
+
+    /// Drops points where there is one already.
+    pub(super) fn drop_repeated_points(&mut self) {
+        let mut places = HashSet::new();
+        self.points.retain(|point| places.insert(key(point.at)));
     }
 }
 

@@ -83,7 +83,7 @@ impl Outlines {
             }));
             repaired.end_shape();
         }
-        repaired.node_inside()?;
+        repaired.clip_inside()?;
         Ok(repaired)
     }
 

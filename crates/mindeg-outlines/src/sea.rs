@@ -74,13 +74,11 @@ impl Outlines {
                 percent(second / largest)
             ));
         }
-        if !self.inside.is_empty() {
-            self.notes.push("left out lines and points inside polygons".to_owned());
-        }
-        let Self { kinds, notes, is_geographic, .. } = self;
-        let mut sea = Self { kinds, notes, is_geographic, ..Self::default() };
+        let Self { inside, kinds, notes, is_geographic, .. } = self;
+        let mut sea = Self { inside, kinds, notes, is_geographic, ..Self::default() };
         sea.features.push(Feature { rings, ..Feature::default() });
         sea.end_shape();
+        sea.clip_inside()?;
         Ok(sea)
     }
 }
@@ -129,6 +127,20 @@ mod tests {
         let box_alone = sea(land, [[20.0, 31.0], [21.0, 32.0]]).unwrap();
         assert_eq!(starts(&box_alone.features[0].rings[0]).len(), 4);
         assert!(box_alone.notes.is_empty());
+    }
+
+    #[test]
+    fn lines_and_points_in_the_sea_stay() {
+        let given = r#"{"type": "GeometryCollection", "geometries": [
+            {"type": "Polygon", "coordinates": [[[0, 0], [4, 0], [4, 4], [0, 4], [0, 0]]]},
+            {"type": "LineString", "coordinates": [[3, 2], [9, 2]]},
+            {"type": "MultiPoint", "coordinates": [[1, 1], [5, 1]]}]}"#;
+        let inside = sea(given, [[-1.0, -1.0], [8.0, 5.0]]).unwrap().inside;
+        let ends = |line: &crate::outline::Border| [line.segment.start, line.segment.end];
+        let [line] = &inside.lines[..] else { panic!("{inside:?}") };
+        assert_eq!(ends(line), [[4.0, 2.0], [8.0, 2.0]].map(DVec2::from));
+        let [point] = &inside.points[..] else { panic!("{inside:?}") };
+        assert_eq!(point.at, DVec2::new(5.0, 1.0));
     }
 
     #[test]

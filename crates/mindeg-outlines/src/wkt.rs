@@ -1,7 +1,7 @@
 //! Well-known text: `POLYGON`, `MULTIPOLYGON` and `GEOMETRYCOLLECTION`, one or more in a file.
 //!
 //! A reference system before a geometry (`SRID=4326;`) is passed over. Z and M values are left
-//! out; points and lines are left out and counted.
+//! out; points and lines are those inside polygons.
 //!
 //! The crate `wkt` reads one geometry, without a reference system, recurses as deep as the text says, and
 //! gives no position in its errors.
@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 use glam::DVec2;
 
 use super::outline::{DrawnRing, Feature, Outlines};
-use super::text::{counted_all, number, quoted, text_of};
+use super::text::{counted_all, inside_counted, number, quoted, text_of};
 use crate::error::OutlineError;
 
 /// How deep collections may be in each other.
@@ -29,6 +29,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Outlines, OutlineError> {
         at: 0,
         skipped: BTreeMap::new(),
         heights: false,
+        taken: [0; 2],
         outlines: Outlines::default(),
     };
     reader.skip_separators();
@@ -45,6 +46,8 @@ struct Reader<'a> {
     at: usize,
     skipped: BTreeMap<&'static str, usize>,
     heights: bool,
+    /// How many lines and points inside there are.
+    taken: [usize; 2],
     outlines: Outlines,
 }
 
@@ -149,10 +152,19 @@ impl<'a> Reader<'a> {
                 reader.skip_blanks();
                 reader.geometry(depth + 1)
             }),
-            other => {
-                *self.skipped.entry(other).or_default() += 1;
-                self.skip_parentheses()
-            }
+            "LINESTRING" => self.line(),
+            "MULTILINESTRING" => self.listed(Self::line),
+            // The points of a MULTIPOINT may each be in parentheses.
+            _ => self.listed(|reader| {
+                let is_nested = reader.takes('(');
+                let at = reader.point()?;
+                reader.taken[1] += 1;
+                reader.outlines.inside.add_point(at, None);
+                if is_nested && !reader.takes(')') {
+                    return Err(reader.unexpected("\")\""));
+                }
+                Ok(())
+            }),
         }
     }
 
@@ -190,6 +202,17 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
+    fn line(&mut self) -> Result<(), OutlineError> {
+        let mut points = Vec::new();
+        self.listed(|reader| {
+            points.push(reader.point()?);
+            Ok(())
+        })?;
+        self.taken[0] += 1;
+        self.outlines.inside.add_line(&points, None);
+        Ok(())
+    }
+
     fn point(&mut self) -> Result<DVec2, OutlineError> {
         let point = DVec2::new(self.number()?, self.number()?);
         for _ in 0..2 {
@@ -212,33 +235,14 @@ impl<'a> Reader<'a> {
         Ok(number)
     }
 
-    fn skip_parentheses(&mut self) -> Result<(), OutlineError> {
-        if !self.takes('(') {
-            return Err(self.unexpected("\"(\""));
-        }
-        let mut depth = 1_u64;
-        let end = self.rest().char_indices().find(|&(_, c)| {
-            depth = match c {
-                '(' => depth + 1,
-                ')' => depth - 1,
-                _ => depth,
-            };
-            depth == 0
-        });
-        let Some((end, _)) = end else {
-            self.at = self.text.len();
-            return Err(self.unexpected("\")\""));
-        };
-        self.at += end + 1;
-        Ok(())
-    }
-
     fn end(mut self) -> Result<Outlines, OutlineError> {
         let skipped = counted_all(&self.skipped);
+        let inside = inside_counted(self.taken);
         if self.outlines.features.is_empty() {
-            let only = match &*skipped {
-                "" => "the text is empty".to_owned(),
-                skipped => format!("only {skipped}"),
+            let only = match (&inside, &*skipped) {
+                (Some(inside), _) => format!("only {inside}"),
+                (None, "") => "the text is empty".to_owned(),
+                (None, skipped) => format!("only {skipped}"),
             };
             return Err(OutlineError::place("", format!("no POLYGON or MULTIPOLYGON: {only}")));
         }
@@ -246,9 +250,13 @@ impl<'a> Reader<'a> {
         if !skipped.is_empty() {
             notes.push(format!("left out {skipped}"));
         }
+        if let Some(inside) = inside {
+            notes.push(format!("{inside} inside the polygons"));
+        }
         if self.heights {
             notes.push("left out the Z and M values of points".to_owned());
         }
+        self.outlines.inside.drop_repeated_points();
         Ok(self.outlines)
     }
 }
@@ -311,7 +319,14 @@ mod tests {
             ("POLYGONZM((0 0 1 2, 4 0 1 2, 0 3 1 2))", &["left out the Z and M values of points"]),
             (
                 "GEOMETRYCOLLECTION(POINT(1 2), MULTIPOINT((1 2), (3 4)), POLYGON EMPTY, POLYGON((0 0,4 0,0 3)))",
-                &["left out 1 MULTIPOINT, 1 POINT, 1 empty geometry"],
+                &["left out 1 empty geometry", "3 points inside the polygons"],
+            ),
+            (
+                "POLYGON((0 0,4 0,0 3)) LINESTRING Z (1 1 0,2 1 0) MULTILINESTRING((1 1,1 2),(1 2,2 1)) MULTIPOINT(1.5 1, 1 1.5)",
+                &[
+                    "3 lines and 2 points inside the polygons",
+                    "left out the Z and M values of points",
+                ],
             ),
         ] {
             let outlines = read(text).unwrap();
@@ -337,7 +352,7 @@ mod tests {
     fn errors_say_where_and_what() {
         for (text, message) in [
             ("", "no POLYGON or MULTIPOLYGON: the text is empty"),
-            ("POINT(1 2)", "no POLYGON or MULTIPOLYGON: only 1 POINT"),
+            ("POINT(1 2)", "no POLYGON or MULTIPOLYGON: only 1 point"),
             ("POLYGON((0 0, 1 é))", "line 1, column 17: found \"é))\", expected a finite number"),
             (
                 "POLYGON((0 0, 1 nan))",
@@ -354,9 +369,10 @@ mod tests {
                 "POLY((0 0))",
                 "line 1, column 1: found \"POLY((0\", expected POLYGON, MULTIPOLYGON or GEOMETRYCOLLECTION",
             ),
+            ("LINESTRING(0 0, (1 1)", "line 1, column 17: found \"(1\", expected a finite number"),
             (
-                "LINESTRING(0 0, (1 1)",
-                "line 1, column 22: found the end of the text, expected \")\"",
+                "LINESTRING(0 0, 1 1",
+                "line 1, column 20: found the end of the text, expected \",\" or \")\"",
             ),
             ("SRID=4326", "line 1, column 5: found \"=4326\", expected \";\" after SRID=…"),
         ] {

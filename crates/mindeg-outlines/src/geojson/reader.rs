@@ -9,7 +9,7 @@ use serde_json::{Map, Value};
 use crate::error::OutlineError;
 use crate::kinds::MarkedLine;
 use crate::outline::{DrawnRing, Feature, Outlines};
-use crate::text::{counted, counted_all, quoted};
+use crate::text::{counted, counted_all, inside_counted, quoted};
 
 /// The most properties that a message lists.
 const MOST_PROPERTIES: usize = 12;
@@ -23,6 +23,8 @@ pub(super) struct Reader<'a> {
     other_properties: BTreeSet<String>,
     unnamed: usize,
     skipped: BTreeMap<String, usize>,
+    /// How many lines and points inside there are.
+    taken: [usize; 2],
     heights: bool,
     /// Lines with a kind of boundary.
     marked: Vec<MarkedLine>,
@@ -101,8 +103,26 @@ impl Reader<'_> {
                 self.outlines.end_shape();
                 Ok(())
             }
-            "Point" | "MultiPoint" | "LineString" | "MultiLineString" => {
-                self.skip(kind);
+            "Point" | "MultiPoint" => {
+                let coordinates = list(object, "coordinates", path)?;
+                let path = &Path::Key(path, "coordinates");
+                if coordinates.is_empty() {
+                    self.skip("geometry without positions");
+                } else if kind == "Point" {
+                    let at = self.position_of(coordinates, path)?;
+                    self.take_point(at, name);
+                } else {
+                    for (index, position) in coordinates.iter().enumerate() {
+                        let at = self.position(position, &Path::Item(path, index))?;
+                        self.take_point(at, name);
+                    }
+                }
+                Ok(())
+            }
+            "LineString" | "MultiLineString" => {
+                for (points, _) in self.lines(object, path)? {
+                    self.take_line(&points, name);
+                }
                 Ok(())
             }
             other => Err(path.error(format!(
@@ -123,29 +143,39 @@ impl Reader<'_> {
         let property = |key: &str| feature.get("properties")?.get(key)?.as_str();
         let Some(kind) = property("kind").and_then(LineKind::named) else { return Ok(false) };
         let Some(geometry) = geometry.as_object() else { return Ok(false) };
-        let is_single = match geometry.get("type").and_then(Value::as_str) {
-            Some("LineString") => true,
-            Some("MultiLineString") => false,
-            _ => return Ok(false),
-        };
-        let name = property("name").or_else(|| property("line")).map(str::to_owned);
-        let coordinates = list(geometry, "coordinates", path)?;
-        let path = &Path::Key(path, "coordinates");
-        let lines: Vec<&[Value]> = match is_single {
-            true => vec![coordinates],
-            false => coordinates
-                .iter()
-                .map(|line| items(line, "positions", path))
-                .collect::<Result<_, _>>()?,
-        };
-        for line in lines {
-            let positions = line.iter().enumerate();
-            let points = positions.map(|(index, at)| self.position(at, &Path::Item(path, index)));
-            let points = points.collect::<Result<_, _>>()?;
-            let name = name.clone();
-            self.marked.push(MarkedLine { points, name, kind, place: path.text() });
+        let kind_of_geometry = geometry.get("type").and_then(Value::as_str);
+        if !matches!(kind_of_geometry, Some("LineString" | "MultiLineString")) {
+            return Ok(false);
+        }
+        let name = property("name").or_else(|| property("line"));
+        for (points, place) in self.lines(geometry, path)? {
+            let name = name.map(str::to_owned);
+            self.marked.push(MarkedLine { points, name, kind, place });
         }
         Ok(true)
+    }
+
+    /// The points of a `LineString`, or of each line of a `MultiLineString`, with its place.
+    fn lines(
+        &mut self,
+        geometry: &Map<String, Value>,
+        path: &Path<'_>,
+    ) -> Result<Vec<(Vec<DVec2>, String)>, OutlineError> {
+        let coordinates = list(geometry, "coordinates", path)?;
+        let path = &Path::Key(path, "coordinates");
+        let mut line = |positions: &[Value], path: &Path<'_>| {
+            let positions = positions.iter().enumerate();
+            let points = positions.map(|(index, at)| self.position(at, &Path::Item(path, index)));
+            Ok((points.collect::<Result<_, _>>()?, path.text()))
+        };
+        if geometry.get("type").and_then(Value::as_str) == Some("LineString") {
+            return Ok(vec![line(coordinates, path)?]);
+        }
+        let lines = coordinates.iter().enumerate().map(|(index, positions)| {
+            let path = &Path::Item(path, index);
+            line(items(positions, "positions", path)?, path)
+        });
+        lines.collect()
     }
 
     fn each(
@@ -159,6 +189,16 @@ impl Reader<'_> {
         let path = &Path::Key(path, key);
         let mut values = values.iter().enumerate();
         values.try_for_each(|(index, value)| self.object(value, &Path::Item(path, index), name))
+    }
+
+    pub(super) fn take_line(&mut self, points: &[DVec2], name: Option<&str>) {
+        self.taken[0] += 1;
+        self.outlines.inside.add_line(points, name);
+    }
+
+    pub(super) fn take_point(&mut self, at: DVec2, name: Option<&str>) {
+        self.taken[1] += 1;
+        self.outlines.inside.add_point(at, name);
     }
 
     pub(super) fn skip(&mut self, what: &str) {
@@ -204,7 +244,10 @@ impl Reader<'_> {
         value: &Value,
         path: &Path<'_>,
     ) -> Result<DVec2, OutlineError> {
-        let numbers = items(value, "two numbers", path)?;
+        self.position_of(items(value, "two numbers", path)?, path)
+    }
+
+    fn position_of(&mut self, numbers: &[Value], path: &Path<'_>) -> Result<DVec2, OutlineError> {
         let [x, y, rest @ ..] = numbers else {
             return Err(path.error("a position needs two numbers, such as [4.5, 52.1]"));
         };
@@ -242,6 +285,7 @@ impl Reader<'_> {
     }
 
     pub(super) fn end(mut self) -> Result<Outlines, OutlineError> {
+        self.outlines.inside.drop_repeated_points();
         let marked = std::mem::take(&mut self.marked);
         if !self.outlines.features.is_empty() {
             self.outlines.mark(marked)?;
@@ -249,11 +293,18 @@ impl Reader<'_> {
         let notes = &mut self.outlines.notes;
         if !self.skipped.is_empty() {
             let skipped = counted_all(&self.skipped);
-            if self.outlines.features.is_empty() {
+            if self.outlines.features.is_empty() && self.outlines.inside.is_empty() {
                 let problem = format!("no Polygon or MultiPolygon, only {skipped}");
                 return Err(Path::Start.error(problem));
             }
             notes.push(format!("left out {skipped}"));
+        }
+        if let Some(inside) = inside_counted(self.taken) {
+            if self.outlines.features.is_empty() {
+                let problem = format!("no Polygon or MultiPolygon, only {inside}");
+                return Err(Path::Start.error(problem));
+            }
+            notes.push(format!("{inside} inside the polygons"));
         }
         if self.heights {
             notes.push("left out the heights of positions".to_owned());

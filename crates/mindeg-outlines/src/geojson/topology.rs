@@ -14,6 +14,8 @@ const MOST_POINTS: usize = 50_000_000;
 /// The arcs of a document.
 struct Topology {
     arcs: Vec<Vec<DVec2>>,
+    /// The scale and the shift of quantized positions.
+    transform: Option<(DVec2, DVec2)>,
     /// How many points rings may still have.
     budget: usize,
 }
@@ -44,14 +46,15 @@ pub(super) fn read(
             );
         }
     };
-    let mut topology = Topology { arcs: arcs(document, reader)?, budget: MOST_POINTS };
+    let transform = transform(document)?;
+    let arcs = arcs(document, transform, reader)?;
+    let mut topology = Topology { arcs, transform, budget: MOST_POINTS };
     topology.geometry(object, &of_objects, reader)
 }
 
-/// The points of all arcs.
-fn arcs(document: &Value, reader: &mut Reader<'_>) -> Result<Vec<Vec<DVec2>>, OutlineError> {
+/// The scale and the shift of positions that are whole numbers.
+fn transform(document: &Value) -> Result<Option<(DVec2, DVec2)>, OutlineError> {
     let start = Path::Start;
-    let Some(top) = document.as_object() else { return Ok(Vec::new()) };
     let path = Path::Key(&start, "transform");
     let pair = |of: &Map<String, Value>, key: &'static str| {
         let numbers = list(of, key, &path)?.iter().map(Value::as_f64).collect::<Option<Vec<_>>>();
@@ -60,11 +63,21 @@ fn arcs(document: &Value, reader: &mut Reader<'_>) -> Result<Vec<Vec<DVec2>>, Ou
             _ => Err(Path::Key(&path, key).error("expected two numbers")),
         }
     };
-    let transform = match top.get("transform") {
-        None | Some(Value::Null) => None,
-        Some(Value::Object(it)) => Some((pair(it, "scale")?, pair(it, "translate")?)),
-        Some(other) => return Err(path.error(format!("found {}, expected an object", kind(other)))),
-    };
+    match document.get("transform") {
+        None | Some(Value::Null) => Ok(None),
+        Some(Value::Object(it)) => Ok(Some((pair(it, "scale")?, pair(it, "translate")?))),
+        Some(other) => Err(path.error(format!("found {}, expected an object", kind(other)))),
+    }
+}
+
+/// The points of all arcs.
+fn arcs(
+    document: &Value,
+    transform: Option<(DVec2, DVec2)>,
+    reader: &mut Reader<'_>,
+) -> Result<Vec<Vec<DVec2>>, OutlineError> {
+    let start = Path::Start;
+    let Some(top) = document.as_object() else { return Ok(Vec::new()) };
     let path = Path::Key(&start, "arcs");
     let arc = |(index, arc): (usize, &Value)| {
         let path = Path::Item(&path, index);
@@ -127,7 +140,31 @@ impl Topology {
                     }
                     reader.outlines.end_shape();
                 }
-                "Point" | "MultiPoint" | "LineString" | "MultiLineString" => reader.skip(kind),
+                "LineString" => {
+                    let name = reader.own_name(object);
+                    self.line(list(object, "arcs", path)?, &arcs, name.as_deref(), reader)?;
+                }
+                "MultiLineString" => {
+                    let name = reader.own_name(object);
+                    for (index, line) in list(object, "arcs", path)?.iter().enumerate() {
+                        let path = Path::Item(&arcs, index);
+                        self.line(items(line, "arcs", &path)?, &path, name.as_deref(), reader)?;
+                    }
+                }
+                "Point" => {
+                    let name = reader.own_name(object);
+                    let at = object.get("coordinates").unwrap_or(&Value::Null);
+                    let path = Path::Key(path, "coordinates");
+                    self.point(at, &path, name.as_deref(), reader)?;
+                }
+                "MultiPoint" => {
+                    let name = reader.own_name(object);
+                    let coordinates = Path::Key(path, "coordinates");
+                    for (index, at) in list(object, "coordinates", path)?.iter().enumerate() {
+                        let path = Path::Item(&coordinates, index);
+                        self.point(at, &path, name.as_deref(), reader)?;
+                    }
+                }
                 other => {
                     let problem = format!("the type {} is none of TopoJSON", quoted(other));
                     return Err(path.error(problem));
@@ -163,7 +200,37 @@ impl Topology {
         Ok(())
     }
 
-    /// The points of a ring: each arc begins where the one before ends.
+    fn line(
+        &mut self,
+        indices: &[Value],
+        path: &Path<'_>,
+        name: Option<&str>,
+        reader: &mut Reader<'_>,
+    ) -> Result<(), OutlineError> {
+        let points = self.ring(indices, path)?;
+        points.iter().for_each(|&point| reader.measure(point));
+        reader.take_line(&points, name);
+        Ok(())
+    }
+
+    fn point(
+        &self,
+        position: &Value,
+        path: &Path<'_>,
+        name: Option<&str>,
+        reader: &mut Reader<'_>,
+    ) -> Result<(), OutlineError> {
+        let largest = reader.largest;
+        let at = reader.position(position, path)?;
+        let at = self.transform.map_or(at, |(scale, translate)| at * scale + translate);
+        // The numbers of the file may be whole ones to be scaled.
+        reader.largest = largest;
+        reader.measure(at);
+        reader.take_point(at, name);
+        Ok(())
+    }
+
+    /// The points of a ring or a line: each arc begins where the one before ends.
     fn ring(&mut self, indices: &[Value], path: &Path<'_>) -> Result<Vec<DVec2>, OutlineError> {
         let mut points: Vec<DVec2> = Vec::new();
         for (at, value) in indices.iter().enumerate() {

@@ -138,13 +138,17 @@ impl<'a> Plane<'a> {
             let beside = self.border(chord).beside;
             let names: Vec<&str> =
                 beside.iter().flatten().map(|&region| &*self.names[region as usize]).collect();
-            if names.is_empty() { "a line".to_owned() } else { names.join(" and ") }
+            (!names.is_empty()).then(|| names.join(" and "))
         };
-        let problem = format!(
-            "a border of {} meets one of {} there, and one of them has no point there",
-            whose(one),
-            whose(other)
-        );
+        let meets = match (whose(one), whose(other)) {
+            (Some(one), Some(other)) => format!("a border of {one} meets one of {other}"),
+            (Some(whose), None) | (None, Some(whose)) => {
+                format!("a line meets a border of {whose}")
+            }
+            (None, None) if one == other => "lines run along each other".to_owned(),
+            (None, None) => "a line meets another".to_owned(),
+        };
+        let problem = format!("{meets} there, and one of them has no point there");
         OutlineError { is_touch: true, ..OutlineError::place(shown(at), problem) }
     }
 

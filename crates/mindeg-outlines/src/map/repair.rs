@@ -133,7 +133,7 @@ impl Outlines {
             repaired.end_shape();
         }
         repaired.notes.push(done.note(&features));
-        repaired.node_inside()?;
+        repaired.clip_inside()?;
         Ok(repaired)
     }
 }
