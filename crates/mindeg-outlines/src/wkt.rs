@@ -372,7 +372,7 @@ mod tests {
             ("LINESTRING(0 0, (1 1)", "line 1, column 17: found \"(1\", expected a finite number"),
             (
                 "LINESTRING(0 0, 1 1",
-                "line 1, column 20: found the end of the text, expected \",\" or \")\"",
+                "line 1, column 20: found the end of the text, expected a finite number",
             ),
             ("SRID=4326", "line 1, column 5: found \"=4326\", expected \";\" after SRID=…"),
         ] {
