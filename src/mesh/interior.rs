@@ -23,7 +23,7 @@ use mindeg_answers::limit::{Lifting, LimitAnswer};
 use mindeg_answers::names::{region_count, shown};
 use mindeg_answers::numbers::{counted, triangles};
 use mindeg_answers::on_edges::{is_low, is_tight, with_points_on_edges};
-use mindeg_answers::sizes::{coarse_sides, sizes};
+use mindeg_answers::sizes::{coarse_sides, sizes, sizes_beside};
 use mindeg_files::{Input, PolygonFile};
 use mindeg_mesh::{Bounds, Triangles, significant};
 use serde::Serialize;
@@ -215,6 +215,7 @@ pub(super) fn run(
     let Prepared { domains, conditioned, openings } = prepared(arguments, wanted, old)?;
     let domain = &domains[0];
     let depths = arguments.depth.read(domain.projection())?;
+    let beside = sizes_beside(&domains, &wanted.sizes);
     let wanted = &by_depth(arguments, depths.as_ref(), wanted, &domains)?;
     making.open()?;
     let meshed = making.work(|progress| interior::mesh(domain, wanted, progress));
@@ -249,6 +250,7 @@ pub(super) fn run(
             .into_iter()
             .chain([text(&name(domain), &found, &lifting, &summary)])
             .chain(summary.ocean.words())
+            .chain(beside.clone())
             .chain(domain.notes())
             .chain(more_on_request(&found.report, wanted.target_angle))
             .collect::<Vec<_>>()
@@ -269,6 +271,7 @@ pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Res
     let projection = domains.first().and_then(Domain::projection).copied();
     making.unproject(projection.as_ref());
     let depths = arguments.depth.read(projection.as_ref())?;
+    let beside = sizes_beside(&domains, &wanted.sizes);
     let wanted = by_depth(arguments, depths.as_ref(), &wanted, &domains)?;
     making.open()?;
     let meshed = making.work(|progress| interior::mesh_all(&domains, &wanted, progress));
@@ -314,6 +317,7 @@ pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Res
             .into_iter()
             .chain([text(&title(), &found, &lifting, &summary)])
             .chain(summary.ocean.words())
+            .chain(beside.clone())
             .collect::<Vec<_>>()
             .join("\n")
     };

@@ -407,3 +407,22 @@ fn few_long_sides_are_told_what_divides_them() {
     assert!(run.errors.contains("Each triangle reaches the limit of its place"), "{run:?}");
     assert!(run.code == Some(0) && !run.errors.contains("hint"), "{run:?}");
 }
+
+/// A grid in other coordinates than the domain's had no effect, without a word.
+#[test]
+fn sizes_beside_the_domain_are_told() {
+    let folder = tempdir().expect("a folder");
+    let [grid, out] = ["sizes.asc", "a.obj"].map(|name| folder.path().join(name));
+    let [grid, out] = [&grid, &out].map(|path| path.to_str().expect("a path in ASCII"));
+    for (corner, words) in [(1000, "it has x from 1000.5 to 1001.5 and y from 0.5 to 1.5"), (0, "")]
+    {
+        let lines =
+            format!("ncols 2\nnrows 2\nxllcorner {corner}\nyllcorner 0\ncellsize 1\n1 1\n1 1\n");
+        fs::write(grid, lines).expect("a grid");
+        let arguments =
+            ["mesh", "--rectangle", "4x3", "--size", "1", "--interior", "--sizes", grid, "-o", out];
+        let said = mindeg(arguments).errors;
+        assert_eq!(said.contains("lies beside the domain"), !words.is_empty(), "{said}");
+        assert!(said.contains(words), "{said}");
+    }
+}

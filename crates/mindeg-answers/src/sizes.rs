@@ -3,6 +3,8 @@
 use crate::names::listed;
 use crate::numbers::{coordinate, number, percent};
 use mindeg::interior::{CoarseSide, InteriorMesh, InteriorReport};
+use mindeg::{Domain, Size};
+use mindeg_mesh::Bounds;
 
 /// The edges beside the sizes wanted, in a sentence; none without interior points.
 #[must_use]
@@ -28,6 +30,43 @@ pub fn coarse_sides(found: &InteriorMesh) -> Option<String> {
         "No point fits inside: the boundary is never divided. --size S divides its sides into intervals of length S."
             .to_owned()
     })
+}
+
+/// The sizes between points of which none is on a domain, if there are such: most often they have other coordinates.
+///
+/// ```
+/// use mindeg_answers::sizes::sizes_beside;
+/// use mindeg::{Domain, Size, SizeBetween};
+///
+/// let square = Domain::from_json(r#"{"rectangle": {"width": 4, "height": 4}, "size": 1}"#)?;
+/// let grid = |x: f64| SizeBetween::grid([x, 0.0].into(), [1.0, 1.0].into(), 2, &[0.1; 4]).map(Size::Between);
+/// let said = |x| sizes_beside(std::slice::from_ref(&square), &grid(x).into_iter().collect::<Vec<_>>());
+/// assert_eq!(said(3.0), None);
+/// assert!(said(5.0).is_some_and(|words| words.contains("x from 5 to 6 and y from 0 to 1")));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[must_use]
+pub fn sizes_beside(domains: &[Domain], sizes: &[Size]) -> Option<String> {
+    let corners = |domain: &Domain| {
+        let bounds = domain.placement().bounds();
+        [bounds.min, bounds.max]
+    };
+    let whole = Bounds::of(domains.iter().flat_map(corners))?;
+    let of_points = |size: &Size| match size {
+        Size::Between(between) => Bounds::of(between.points.iter().map(|point| point.at)),
+        _ => None,
+    };
+    let is_beside = |own: &Bounds| own.max.cmplt(whole.min).any() || own.min.cmpgt(whole.max).any();
+    let beside = sizes.iter().filter_map(of_points).find(is_beside)?;
+    let range = |bounds: Bounds| {
+        let [low, high] = [bounds.min, bounds.max].map(|at| at.to_array().map(coordinate));
+        format!("x from {} to {} and y from {} to {}", low[0], high[0], low[1], high[1])
+    };
+    Some(format!(
+        "warning: a grid or background mesh of sizes lies beside the domain: it has {}, the domain {}. Give both in the same coordinates.",
+        range(beside),
+        range(whole)
+    ))
 }
 
 /// The sides and lines that contradict the sizes asked for, in words, and a size that would do for all.
