@@ -109,6 +109,17 @@ test("a newcomer leaves with the mesh for a solver, or with the one for a patch"
     meshes.push(path);
   }
   assert.equal(new Set(meshes).size, 3);
+  // One button brings what the sentence promises; it has no place beside a mesh of the boundary points alone.
+  assert.equal(await page.locator("#put-on-edges").isVisible(), false);
+  await page.locator("[data-purpose=solver]").click();
+  await answered(page);
+  const offer = await text(page, "#put-on-edges");
+  assert.match(offer, /^Put 14 points on edges: 40\.\d+°$/);
+  await page.locator("#put-on-edges").click();
+  await page.waitForFunction(() => /126 boundary vertices/.test(document.getElementById("facts").textContent));
+  await answered(page);
+  assert.equal(angleOf((await figures(page))[0]), Number(offer.match(/([\d.]+)°/)[1]));
+  assert.equal(await page.locator("#put-on-edges").isVisible(), false);
   await page.context().close();
 });
 

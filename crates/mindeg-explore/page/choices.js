@@ -3,7 +3,7 @@
 
 import { apply, ask } from "./asking.js";
 import { judge, numberIn, numberOrNone } from "./fields.js";
-import { element, fieldName, showCurveNow } from "./show.js";
+import { element, fieldName, several, showCurveNow } from "./show.js";
 import { shown, state } from "./state.js";
 
 /** What a field for a goal's value begins with. */
@@ -90,6 +90,10 @@ export function showAdvice() {
   showPurposes(element("purposes"), advice, now);
   // Among what decides the angle: under the cards it would push the curve out of the first screen.
   element("on-edges").textContent = advice?.on_edges ?? "";
+  const conditioned = purposeNow() === "solver" ? advice?.conditioned : null;
+  const button = element("put-on-edges");
+  button.hidden = !conditioned;
+  if (conditioned) button.textContent = `Put ${several(advice.points_on_edges, "point")} on edges: ${angleText(conditioned.min_angle)}`;
   if (!advice) {
     element("advice").textContent = "…";
     return;

@@ -185,7 +185,11 @@ async function conditionIt() {
     numberOrNone(element("condition-within"), "Give a distance of 0 or more, or none for the usual one.", (number) => number >= 0),
   ];
   if (wanted.includes(null)) return tellOfEdges("");
-  const [angle, size, within] = wanted;
+  await conditionFor(...wanted);
+}
+
+/** Changes the boundary for an angle, with edges of a size, moved so far at most. */
+async function conditionFor(angle, size, within) {
   let told;
   const isDone = await change(async (before) => {
     told = await server.condition(before, angle, size, within);
@@ -353,6 +357,8 @@ export function startEditing() {
   element("add").addEventListener("click", add);
   element("divide").addEventListener("click", divide);
   element("condition").addEventListener("click", conditionIt);
+  // As the advice counts them: for the usual angle, whatever the fields have.
+  element("put-on-edges").addEventListener("click", () => conditionFor(Number(element("condition-angle").defaultValue)));
   element("remove").addEventListener("click", remove);
   for (const [kind, { button }] of Object.entries(PLACED)) {
     element(button).addEventListener("click", () => {
