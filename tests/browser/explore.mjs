@@ -571,6 +571,15 @@ test("a hole of a surface is filled with points inside, and the file has them", 
   assert.ok(triangles > 70, `${triangles} triangles`);
   // What is chosen afterwards does not change what is downloaded.
   await page.getByLabel("with points inside").uncheck();
+  // Another measure is another picture, and the first one is the same again.
+  const filled = page.locator("#solid-meshes .stage").nth(1);
+  const pictures = [];
+  for (const measure of ["min_angle", "max_angle", "", "min_angle"]) {
+    await page.selectOption("#solid-metric", measure);
+    pictures.push((await filled.screenshot()).toString("base64"));
+  }
+  assert.equal(new Set(pictures).size, 3);
+  assert.equal(pictures[3], pictures[0]);
   const { path } = await downloaded(page, "#solid-download");
   assert.equal(JSON.parse(mindeg("inspect", path, "--json").stdout).faces, triangles);
   await page.screenshot({ path: join(work, "solid-inside.png") });

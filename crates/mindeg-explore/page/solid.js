@@ -8,8 +8,12 @@ import * as server from "./server.js";
 import { element, several, showTrouble } from "./show.js";
 import { state } from "./state.js";
 
-/** The measure that colors triangles. */
-const MEASURE = { name: "min_angle", title: "Minimum angle", unit: "degrees", higher_is_better: true, logarithmic: false, range: [0, 60], goes_beyond: [false, false] };
+/** The measures that may color triangles. */
+const MEASURES = [
+  { name: "min_angle", title: "Minimum angle", higher_is_better: true, range: [0, 60] },
+  { name: "max_angle", title: "Maximum angle", higher_is_better: false, range: [60, 180] },
+].map((measure) => ({ ...measure, unit: "degrees", logarithmic: false, goes_beyond: [false, false] }));
+const measureNow = () => MEASURES.find(({ name }) => name === element("solid-metric").value);
 
 let file = null;
 /** The map that is shown in place of a surface: what the server sent of it, and the advice on it. */
@@ -150,7 +154,7 @@ function figure(title, found) {
   });
   // A map lies in the plane.
   if (map) space.camera.face([0, 0, 1], [0, 1, 0]);
-  space.color(MEASURE);
+  space.color(measureNow());
   const rim = found.first_new === null ? [] : rimOf(scene.triangles.subarray(3 * found.first_new));
   space.emphasize(rim);
   stage.dataset.marked = rim.length / 2;
@@ -160,7 +164,11 @@ function figure(title, found) {
     space.draw();
   };
   new ResizeObserver(draw).observe(stage);
-  return { figure: box, draw, emphasize: (edges) => {
+  const color = () => {
+    space.color(measureNow());
+    space.draw();
+  };
+  return { figure: box, draw, color, emphasize: (edges) => {
     space.emphasize(edges);
     stage.dataset.marked = edges.length / 2;
   } };
@@ -199,6 +207,10 @@ function listLoops(loops, vertices) {
 
 /** Makes the buttons work; `hand(blob, name)` gives a file to the browser, `onEnd` goes on with the boundary. */
 export function startSolid(hand, onEnd) {
+  element("solid-metric").append(...MEASURES.map(({ name, title }) => new Option(title, name)), new Option("nothing", ""));
+  element("solid-metric").addEventListener("change", () => {
+    for (const { color } of shownNow) color();
+  });
   for (const change of ["remesh", "fill", "bridge"]) element(`solid-${change}`).addEventListener("click", () => show(change));
   element("solid-end").addEventListener("click", () => {
     endSolid();
