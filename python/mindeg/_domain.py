@@ -266,7 +266,11 @@ def _geometry(source) -> Mapping[str, Any] | None:
         found = [_geometry(one) or {} for one in source]
         features = [one if one.get("type") == "Feature" else {"type": "Feature", "properties": {}, "geometry": one} for one in found]
         return {"type": "FeatureCollection", "features": features}
-    return getattr(source, "__geo_interface__", None)
+    found = getattr(source, "__geo_interface__", None)
+    if found and found.get("type") == "LinearRing":
+        # shapely's own type, which GeoJSON does not have.
+        return {"type": "Polygon", "coordinates": [found["coordinates"]]}
+    return found
 
 
 def _rings(source) -> dict[str, Any]:

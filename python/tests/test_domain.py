@@ -63,6 +63,24 @@ def test_points_of_an_array_come_back_bit_for_bit():
     assert domain.mesh().max_degree <= 4
 
 
+def test_a_ring_of_shapely_is_a_polygon_with_and_without_options():
+    shapely = pytest.importorskip("shapely")
+    ring = shapely.LinearRing([(0, 0), (2, 0), (2, 2), (0, 2)])
+    assert mindeg.Domain(ring) == mindeg.Domain(shapely.Polygon(ring))
+    assert len(mindeg.Domain(ring, size=1).points) == 8
+
+
+def test_lines_and_points_beside_a_polygon_lie_inside():
+    shapely = pytest.importorskip("shapely")
+    shapes = [shapely.box(0, 0, 4, 4), shapely.LineString([(1, 1), (2, 1)]), shapely.Point(3, 3)]
+    for source in (shapes, shapely.GeometryCollection(shapes)):
+        mesh = mindeg.Domain(source, size=1).mesh(interior=True)
+        points = mesh.points[:, :2].tolist()
+        ends = [points.index(end) for end in ([1, 1], [2, 1])]
+        assert any(set(ends) <= set(triangle) for triangle in mesh.triangles.tolist())
+        assert [3, 3] in points
+
+
 def test_a_polygon_of_shapely_with_a_hole():
     shapely = pytest.importorskip("shapely")
     square = [(0, 0), (4, 0), (4, 4), (0, 4)]

@@ -185,7 +185,6 @@ fn several_polygons_are_listed_chosen_or_written_to_a_folder() {
     let map = folder.path().join("map.geojson");
     let map = map.to_str().expect("a name");
     let run = mindeg(["domain", map, "--json"]);
-    assert!(run.errors.contains("1 point inside the polygons"), "{}", run.errors);
     let rows = run.json();
     let column = |key: &str| -> Vec<Value> {
         rows.as_array().expect("a list").iter().map(|row| row[key].clone()).collect()

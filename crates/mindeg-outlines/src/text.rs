@@ -57,17 +57,6 @@ pub(super) fn counted_all<K: AsRef<str>>(counts: &BTreeMap<K, usize>) -> String 
     kinds.join(", ")
 }
 
-/// So many lines and points, in words; none if there are none.
-pub(super) fn inside_counted([lines, points]: [usize; 2]) -> Option<String> {
-    let [of_lines, of_points] = [counted(lines, "line"), counted(points, "point")];
-    match [lines, points] {
-        [0, 0] => None,
-        [_, 0] => Some(of_lines),
-        [0, _] => Some(of_points),
-        _ => Some(format!("{of_lines} and {of_points}")),
-    }
-}
-
 /// A name without the characters that a domain refuses and a terminal obeys.
 pub(super) fn clean(name: &str) -> String {
     let is_refused = |c: char| {

@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 use glam::DVec2;
 
 use super::outline::{DrawnRing, Feature, Outlines};
-use super::text::{counted_all, inside_counted, number, quoted, text_of};
+use super::text::{counted_all, number, quoted, text_of};
 use crate::error::OutlineError;
 
 /// How deep collections may be in each other.
@@ -29,7 +29,6 @@ pub(super) fn read(bytes: &[u8]) -> Result<Outlines, OutlineError> {
         at: 0,
         skipped: BTreeMap::new(),
         heights: false,
-        taken: [0; 2],
         outlines: Outlines::default(),
     };
     reader.skip_separators();
@@ -46,8 +45,6 @@ struct Reader<'a> {
     at: usize,
     skipped: BTreeMap<&'static str, usize>,
     heights: bool,
-    /// How many lines and points inside there are.
-    taken: [usize; 2],
     outlines: Outlines,
 }
 
@@ -158,7 +155,6 @@ impl<'a> Reader<'a> {
             _ => self.listed(|reader| {
                 let is_nested = reader.takes('(');
                 let at = reader.point()?;
-                reader.taken[1] += 1;
                 reader.outlines.inside.add_point(at, None);
                 if is_nested && !reader.takes(')') {
                     return Err(reader.unexpected("\")\""));
@@ -208,7 +204,6 @@ impl<'a> Reader<'a> {
             points.push(reader.point()?);
             Ok(())
         })?;
-        self.taken[0] += 1;
         self.outlines.inside.add_line(&points, None);
         Ok(())
     }
@@ -237,21 +232,17 @@ impl<'a> Reader<'a> {
 
     fn end(mut self) -> Result<Outlines, OutlineError> {
         let skipped = counted_all(&self.skipped);
-        let inside = inside_counted(self.taken);
         if self.outlines.features.is_empty() {
-            let only = match (&inside, &*skipped) {
-                (Some(inside), _) => format!("only {inside}"),
-                (None, "") => "the text is empty".to_owned(),
-                (None, skipped) => format!("only {skipped}"),
+            let only = match &*skipped {
+                _ if !self.outlines.inside.is_empty() => "only lines or points".to_owned(),
+                "" => "the text is empty".to_owned(),
+                skipped => format!("only {skipped}"),
             };
             return Err(OutlineError::place("", format!("no POLYGON or MULTIPOLYGON: {only}")));
         }
         let notes = &mut self.outlines.notes;
         if !skipped.is_empty() {
             notes.push(format!("left out {skipped}"));
-        }
-        if let Some(inside) = inside {
-            notes.push(format!("{inside} inside the polygons"));
         }
         if self.heights {
             notes.push("left out the Z and M values of points".to_owned());
@@ -319,14 +310,11 @@ mod tests {
             ("POLYGONZM((0 0 1 2, 4 0 1 2, 0 3 1 2))", &["left out the Z and M values of points"]),
             (
                 "GEOMETRYCOLLECTION(POINT(1 2), MULTIPOINT((1 2), (3 4)), POLYGON EMPTY, POLYGON((0 0,4 0,0 3)))",
-                &["left out 1 empty geometry", "3 points inside the polygons"],
+                &["left out 1 empty geometry"],
             ),
             (
                 "POLYGON((0 0,4 0,0 3)) LINESTRING Z (1 1 0,2 1 0) MULTILINESTRING((1 1,1 2),(1 2,2 1)) MULTIPOINT(1.5 1, 1 1.5)",
-                &[
-                    "3 lines and 2 points inside the polygons",
-                    "left out the Z and M values of points",
-                ],
+                &["left out the Z and M values of points"],
             ),
         ] {
             let outlines = read(text).unwrap();
@@ -352,7 +340,7 @@ mod tests {
     fn errors_say_where_and_what() {
         for (text, message) in [
             ("", "no POLYGON or MULTIPOLYGON: the text is empty"),
-            ("POINT(1 2)", "no POLYGON or MULTIPOLYGON: only 1 point"),
+            ("POINT(1 2)", "no POLYGON or MULTIPOLYGON: only lines or points"),
             ("POLYGON((0 0, 1 é))", "line 1, column 17: found \"é))\", expected a finite number"),
             (
                 "POLYGON((0 0, 1 nan))",

@@ -9,7 +9,7 @@ use serde_json::{Map, Value};
 use crate::error::OutlineError;
 use crate::kinds::MarkedLine;
 use crate::outline::{DrawnRing, Feature, Outlines};
-use crate::text::{counted, counted_all, inside_counted, quoted};
+use crate::text::{counted, counted_all, quoted};
 
 /// The most properties that a message lists.
 const MOST_PROPERTIES: usize = 12;
@@ -23,8 +23,6 @@ pub(super) struct Reader<'a> {
     other_properties: BTreeSet<String>,
     unnamed: usize,
     skipped: BTreeMap<String, usize>,
-    /// How many lines and points inside there are.
-    taken: [usize; 2],
     heights: bool,
     /// Lines with a kind of boundary.
     marked: Vec<MarkedLine>,
@@ -110,18 +108,18 @@ impl Reader<'_> {
                     self.skip("geometry without positions");
                 } else if kind == "Point" {
                     let at = self.position_of(coordinates, path)?;
-                    self.take_point(at, name);
+                    self.outlines.inside.add_point(at, name);
                 } else {
                     for (index, position) in coordinates.iter().enumerate() {
                         let at = self.position(position, &Path::Item(path, index))?;
-                        self.take_point(at, name);
+                        self.outlines.inside.add_point(at, name);
                     }
                 }
                 Ok(())
             }
             "LineString" | "MultiLineString" => {
                 for (points, _) in self.lines(object, path)? {
-                    self.take_line(&points, name);
+                    self.outlines.inside.add_line(&points, name);
                 }
                 Ok(())
             }
@@ -189,16 +187,6 @@ impl Reader<'_> {
         let path = &Path::Key(path, key);
         let mut values = values.iter().enumerate();
         values.try_for_each(|(index, value)| self.object(value, &Path::Item(path, index), name))
-    }
-
-    pub(super) fn take_line(&mut self, points: &[DVec2], name: Option<&str>) {
-        self.taken[0] += 1;
-        self.outlines.inside.add_line(points, name);
-    }
-
-    pub(super) fn take_point(&mut self, at: DVec2, name: Option<&str>) {
-        self.taken[1] += 1;
-        self.outlines.inside.add_point(at, name);
     }
 
     pub(super) fn skip(&mut self, what: &str) {
@@ -290,21 +278,17 @@ impl Reader<'_> {
         if !self.outlines.features.is_empty() {
             self.outlines.mark(marked)?;
         }
+        if self.outlines.features.is_empty() && !self.outlines.inside.is_empty() {
+            return Err(Path::Start.error("no Polygon or MultiPolygon, only lines or points"));
+        }
         let notes = &mut self.outlines.notes;
         if !self.skipped.is_empty() {
             let skipped = counted_all(&self.skipped);
-            if self.outlines.features.is_empty() && self.outlines.inside.is_empty() {
+            if self.outlines.features.is_empty() {
                 let problem = format!("no Polygon or MultiPolygon, only {skipped}");
                 return Err(Path::Start.error(problem));
             }
             notes.push(format!("left out {skipped}"));
-        }
-        if let Some(inside) = inside_counted(self.taken) {
-            if self.outlines.features.is_empty() {
-                let problem = format!("no Polygon or MultiPolygon, only {inside}");
-                return Err(Path::Start.error(problem));
-            }
-            notes.push(format!("{inside} inside the polygons"));
         }
         if self.heights {
             notes.push("left out the heights of positions".to_owned());

@@ -209,7 +209,7 @@ impl Topology {
     ) -> Result<(), OutlineError> {
         let points = self.ring(indices, path)?;
         points.iter().for_each(|&point| reader.measure(point));
-        reader.take_line(&points, name);
+        reader.outlines.inside.add_line(&points, name);
         Ok(())
     }
 
@@ -226,7 +226,7 @@ impl Topology {
         // The numbers of the file may be whole ones to be scaled.
         reader.largest = largest;
         reader.measure(at);
-        reader.take_point(at, name);
+        reader.outlines.inside.add_point(at, name);
         Ok(())
     }
 
