@@ -153,7 +153,7 @@ def test_comparing_gives_the_report():
         (lambda: mindeg.rectangle(4, 3, size=1).mesh(optimize="angle", keep_angle=0.9), "exclude"),
         (lambda: mindeg.rectangle(4, 3, intervals=[12, 9, 4, 4]).mesh(max_degree=5, keep_angle=0.95), "maximum degree 6"),
         (lambda: mindeg.rectangle(4, 3, intervals=[9, 1, 1, 1]).mesh(max_degree=3), "3"),
-        (lambda: mindeg.Domain({"type": "Point", "coordinates": [0, 0]}), "only 1 Point"),
+        (lambda: mindeg.Domain({"type": "Point", "coordinates": [0, 0]}), "only lines or points"),
         (lambda: mindeg.Domain([[0, 0, 0], [1, 0, 0], [0, 1, 0]]), "give (n, 2)"),
         (lambda: mindeg.Domain('{"rectangle": {"width": 4}}'), "height"),
     ],
