@@ -187,7 +187,7 @@ fn domains(
 fn points_of(parts: &[Part], points: &[InnerPoint]) -> Result<Vec<Vec<InnerPoint>>, OutlineError> {
     let mut of_parts = vec![Vec::new(); parts.len()];
     for point in points {
-        let part = parts.iter().position(|part| part.holds(point.at)).ok_or_else(|| {
+        let part = parts::part_around(parts, point.at).ok_or_else(|| {
             let problem =
                 "this point lies outside all regions; drop it, or draw a region around it";
             OutlineError::place(shown(point.at), problem)

@@ -10,7 +10,7 @@ use super::gaps::Gap;
 use super::inner_point::inner_point;
 use super::plane::{Plane, Run};
 use crate::error::OutlineError;
-use crate::nesting::{Loop, contains, smallest_around};
+use crate::nesting::{Loop, smallest_around};
 use crate::overlay::edge::{Step, points_of};
 use crate::overlay::faces::Graph;
 use crate::overlay::turns_left;
@@ -30,11 +30,12 @@ pub(super) struct Part {
     around: Loop,
 }
 
-impl Part {
-    /// Whether a point lies inside the outer ring or at a point of it, and in no hole.
-    pub(super) fn holds(&self, at: DVec2) -> bool {
-        self.around.points.contains(&at) || contains(&self.around.points, &[at])
-    }
+/// The part that a point lies in, or at a vertex of whose outer ring: of several around it the smallest, since parts lie in
+/// holes of others.
+pub(super) fn part_around(parts: &[Part], at: DVec2) -> Option<usize> {
+    let at_vertex = parts.iter().position(|part| part.around.points.contains(&at));
+    let around = || smallest_around(parts.iter().map(|part| &part.around).enumerate(), &[at]);
+    at_vertex.or_else(around)
 }
 
 /// The parts, each with the set of regions that share edges.

@@ -346,3 +346,16 @@ fn rings_that_touch_and_part_a_polygon_are_named() {
     let words = "rings touch, as at (0.0, 0.0), so that it falls into 2 parts";
     assert!(error.to_string().ends_with(words), "{error}");
 }
+
+/// The point of an island in a lake was taken for one in the lake.
+#[test]
+fn points_belong_to_the_island_that_they_are_on() {
+    let wkt = "POLYGON((0 0,9 0,9 9,0 9),(2 2,2 7,7 7,7 2)) POLYGON((4 4,5 4,5 5,4 5)) \
+               MULTIPOINT(4.5 4.5, 1 1, 5 5) LINESTRING(4.2 4.2,4.4 4.2)";
+    let alone = |_: &str| Err(std::io::ErrorKind::NotFound.into());
+    let outlines = read(wkt.as_bytes(), OutlineFormat::Wkt, alone).unwrap();
+    let polygons = labelled(outlines.features);
+    let (maps, _) = maps(&polygons, &outlines.inside, &Division::default(), false).unwrap();
+    let counts = |map: &Domain| (map.inside().points.len(), map.inside().lines.len());
+    assert!(maps.iter().map(counts).eq([(1, 0), (2, 1)]));
+}
