@@ -9,23 +9,44 @@ pub(crate) struct Grid {
     cell: f64,
     columns: usize,
     cells: Vec<Vec<u32>>,
+    /// All points with their indices.
+    points: Vec<(u32, DVec2)>,
+    /// With more points than this, cells become smaller.
+    most: usize,
 }
+
+/// Cells become smaller where there are so many times the points.
+const GROWN: usize = 4;
 
 impl Grid {
     /// About two points to a cell.
     pub(crate) fn new(points: &[DVec2]) -> Self {
-        let min = points.iter().copied().fold(DVec2::INFINITY, DVec2::min);
-        let max = points.iter().copied().fold(DVec2::NEG_INFINITY, DVec2::max);
+        Self::of((0..).zip(points.iter().copied()).collect())
+    }
+
+    fn of(points: Vec<(u32, DVec2)>) -> Self {
+        let at = || points.iter().map(|point| point.1);
+        let min = at().fold(DVec2::INFINITY, DVec2::min);
+        let max = at().fold(DVec2::NEG_INFINITY, DVec2::max);
         let extent = (max - min).max(DVec2::splat(f64::MIN_POSITIVE));
         let across = (points.len() as f64 / 2.0).sqrt().max(1.0);
         let cell = extent.max_element() / across;
         let count = |length: f64| ((length / cell) as usize + 1).min(2 * across as usize + 2);
         let (columns, rows) = (count(extent.x), count(extent.y));
-        let mut grid = Self { min, cell, columns, cells: vec![Vec::new(); columns * rows] };
-        for (index, point) in (0..).zip(points) {
-            grid.insert(index, *point);
+        let cells = vec![Vec::new(); columns * rows];
+        let most = GROWN * points.len().max(1);
+        let mut grid = Self { min, cell, columns, cells, points, most };
+        for place in 0..grid.points.len() {
+            grid.put(place);
         }
         grid
+    }
+
+    /// Puts one of the points into its cell.
+    fn put(&mut self, place: usize) {
+        let (index, point) = self.points[place];
+        let [column, row] = self.column_and_row(point);
+        self.cells[row * self.columns + column].push(index);
     }
 
     fn column_and_row(&self, point: DVec2) -> [usize; 2] {
@@ -34,9 +55,14 @@ impl Grid {
         [(at.x as usize).min(self.columns - 1), (at.y as usize).min(rows - 1)]
     }
 
+    /// Constant time in the mean.
     pub(crate) fn insert(&mut self, index: u32, point: DVec2) {
-        let [column, row] = self.column_and_row(point);
-        self.cells[row * self.columns + column].push(index);
+        self.points.push((index, point));
+        if self.points.len() > self.most {
+            *self = Self::of(std::mem::take(&mut self.points));
+        } else {
+            self.put(self.points.len() - 1);
+        }
     }
 
     /// True if `is_wanted` holds for an index in the cells of a box.
@@ -71,5 +97,25 @@ impl Grid {
                 && [[a, b], [b, c], [c, a]].into_iter().all(|side| is_left(side, point))
         };
         self.any_near([least, most], |index| is_in_the_way(index) && is_within(at(index)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A grid that grows knows the points that one made of all of them knows, in cells as small.
+    #[test]
+    fn cells_shrink_as_points_are_added() {
+        let at = |i: u32| DVec2::new(f64::from(i % 100), f64::from(i / 100));
+        let corners = [[0.0, 0.0], [99.0, 0.0], [99.0, 99.0], [0.0, 99.0]].map(DVec2::from);
+        let mut grid = Grid::new(&corners);
+        for i in 0..10_000 {
+            grid.insert(4 + i, at(i));
+        }
+        assert!(grid.cells.iter().all(|cell| cell.len() <= 16), "{}", grid.cells.len());
+        for i in 0..10_000 {
+            assert!(grid.any_near([at(i); 2], |index| index == 4 + i), "{i}");
+        }
     }
 }

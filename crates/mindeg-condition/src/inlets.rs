@@ -16,7 +16,7 @@ use crate::chains::Chains;
 use crate::changes::{BoundaryChange, ChangeKind, Left, Reason, Why};
 use crate::demands::BoundaryDemands;
 use crate::error::ConditionError;
-use around::{Around, Meshed, Whole};
+use around::{Around, Meshed, Whole, size_far_inside};
 use chords::inlets;
 use fit::angle_of;
 use glam::DVec2;
@@ -170,7 +170,9 @@ impl Chains {
 
     /// The vertices at and beside triangles of a mesh of the whole that are thinner than an angle.
     fn thin_of_mesh(&self, whole: &Whole<'_>, angle: f64) -> BTreeSet<u32> {
-        let mesh = generate_once(whole.boundary, &self.options(), Progress::NONE);
+        let mut options = self.options();
+        options.wanted.size_inside = size_far_inside(whole.boundary);
+        let mesh = generate_once(whole.boundary, &options, Progress::NONE);
         let Ok(mesh) = mesh else { return whole.vertices.iter().copied().collect() };
         let at = |corners: &[u32; 3]| corners.map(|v| mesh.points[v as usize]);
         let thin = mesh.triangles.iter().filter(|corners| least_angle(at(corners)) < angle);

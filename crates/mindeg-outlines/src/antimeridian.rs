@@ -9,9 +9,10 @@ use std::collections::BTreeSet;
 use glam::DVec2;
 use mindeg_mesh::listed;
 
+use crate::curve::Segment;
 use crate::error::OutlineError;
 use crate::nesting::polygons;
-use crate::outline::{DrawnRing, Feature, FillRule, Outlines};
+use crate::outline::{Border, DrawnRing, Feature, FillRule, Outlines};
 use crate::text::counted;
 
 /// The longitude of the antimeridian.
@@ -38,7 +39,7 @@ impl Outlines {
         (count > 0).then(|| told(count, names))
     }
 
-    /// Cuts the polygons that cross the antimeridian, if coordinates are longitudes and latitudes, and notes which.
+    /// Cuts the polygons and lines that cross the antimeridian, if coordinates are longitudes and latitudes, and notes which polygons.
     pub(super) fn cut_at_antimeridian(&mut self) -> Result<(), OutlineError> {
         if !self.is_geographic {
             return Ok(());
@@ -59,6 +60,8 @@ impl Outlines {
             }
             start = std::mem::replace(&mut shape.end, self.features.len());
         }
+        let lines = std::mem::take(&mut self.inside.lines);
+        self.inside.lines = lines.into_iter().flat_map(parts_of).collect();
         if count > 0 {
             self.notes.push(format!("cut {} along 180° of longitude", told(count, names)));
         }
@@ -119,6 +122,20 @@ fn cut(feature: &Feature) -> Result<Option<Vec<Feature>>, OutlineError> {
     let (parts, _) = polygons(rings, FillRule::EvenOdd, feature.name.as_deref())?;
     let max_area = feature.max_area;
     Ok(Some(parts.into_iter().map(|part| Feature { max_area, ..part }).collect()))
+}
+
+/// The parts of an edge of a line on either side of the antimeridian.
+fn parts_of(edge: Border) -> impl Iterator<Item = Border> {
+    let Segment { start, end, curve } = edge.segment;
+    let parts = if is_across(start, end) {
+        let latitude = crossing(start, end);
+        let on = |is_below| End { is_below, latitude }.point();
+        vec![[start, on(start.x > 0.0)], [on(end.x > 0.0), end]]
+    } else {
+        vec![[start, end]]
+    };
+    let parts = parts.into_iter().filter(|[start, end]| start != end);
+    parts.map(move |[start, end]| Border { segment: Segment { start, end, curve }, ..edge.clone() })
 }
 
 fn edges(ring: &[DVec2]) -> impl Iterator<Item = [DVec2; 2]> + '_ {
@@ -261,6 +278,26 @@ fn joined(runs: Vec<(End, Vec<DVec2>, End)>) -> Vec<Vec<DVec2>> {
 #[cfg(test)]
 mod tests {
     use crate::{OutlineFormat, Outlines, read};
+
+    #[test]
+    fn lines_are_cut_too() {
+        let text = "POLYGON((170 0,180 0,180 9,170 9)) POLYGON((-180 0,-170 0,-170 9,-180 9)) \
+                    LINESTRING(178 2,-179 5) LINESTRING(180 7,-176 7)";
+        let alone = |_: &str| Err(std::io::ErrorKind::NotFound.into());
+        let mut outlines = read(text.as_bytes(), OutlineFormat::Wkt, alone).unwrap();
+        outlines.is_geographic = true;
+        outlines.cut_at_antimeridian().unwrap();
+        let ends = |it: &crate::outline::Border| {
+            [it.segment.start, it.segment.end].map(|at| at.to_array())
+        };
+        let found: Vec<_> = outlines.inside.lines.iter().map(ends).collect();
+        let expected = [
+            [[178.0, 2.0], [180.0, 4.0]],
+            [[-180.0, 4.0], [-179.0, 5.0]],
+            [[-180.0, 7.0], [-176.0, 7.0]],
+        ];
+        assert_eq!(found, expected);
+    }
 
     /// The points of the rings of a polygon.
     type Polygon = Vec<Vec<[f64; 2]>>;

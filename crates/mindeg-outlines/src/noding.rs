@@ -72,6 +72,12 @@ impl Outlines {
         self.node_inside()?;
         let before = [self.inside.lines.len(), self.inside.points.len()];
         self.inside.keep_within(&self.features);
+        let mut edges = HashSet::new();
+        self.inside.lines.retain(|line| {
+            let Segment { start, end, curve } = line.segment;
+            let ends = [key(start), key(end)];
+            curve != PieceCurve::Line || edges.insert([ends[0].min(ends[1]), ends[0].max(ends[1])])
+        });
         let DrawnInside { lines, points } = &self.inside;
         let dropped = [before[0] - lines.len(), before[1] - points.len()];
         let [edges, points] = [counted(dropped[0], "edge"), counted(dropped[1], "point")];
@@ -81,7 +87,9 @@ impl Outlines {
             [_, 0] => format!("{edges} of lines"),
             _ => format!("{edges} of lines and {points}"),
         };
-        self.notes.push(format!("dropped {dropped} outside the polygons or along their rings"));
+        self.notes.push(format!(
+            "dropped {dropped} outside the polygons, along their rings or there twice"
+        ));
         Ok(())
     }
 
@@ -193,8 +201,7 @@ mod tests {
             let (lines, points) = places(&repaired.inside);
             assert_eq!(lines, [[[1.0, 1.0], [4.0, 1.0]], [[4.0, 1.0], [8.0, 1.0]]]);
             assert_eq!(points, [[2.0, 2.0], [4.0, 4.0]]);
-            let note =
-                "dropped 1 edge of lines and 2 points outside the polygons or along their rings";
+            let note = "dropped 1 edge of lines and 2 points outside the polygons, along their rings or there twice";
             assert!(repaired.notes.iter().any(|said| said == note), "{:?}", repaired.notes);
             // Both squares have the point where the line crosses their border.
             let has_point = |feature: &Feature| {

@@ -128,6 +128,12 @@ impl<'a> Plane<'a> {
             let mut kept = vec![false; edges.len()];
             self.links.iter().for_each(|link| kept[link.edge.chord as usize] = true);
             let twice = kept.iter().position(|kept| !kept).unwrap_or_default() as u32;
+            if self.border(twice).beside == [None; 2] {
+                let [from, to] = self.ends(twice).map(shown);
+                let place = format!("the edge from {from} to {to}");
+                let problem = "a line runs along another one, or along a border";
+                return Err(OutlineError { is_touch: true, ..OutlineError::place(place, problem) });
+            }
             return Err(self.crossing(self.ends(twice)[0], twice, twice));
         }
         Ok(())
@@ -145,7 +151,6 @@ impl<'a> Plane<'a> {
             (Some(whose), None) | (None, Some(whose)) => {
                 format!("a line meets a border of {whose}")
             }
-            (None, None) if one == other => "lines run along each other".to_owned(),
             (None, None) => "a line meets another".to_owned(),
         };
         let problem = format!("{meets} there, and one of them has no point there");

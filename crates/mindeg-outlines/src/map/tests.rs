@@ -347,6 +347,24 @@ fn rings_that_touch_and_part_a_polygon_are_named() {
     assert!(error.to_string().ends_with(words), "{error}");
 }
 
+#[test]
+fn a_line_along_another_edge_is_refused_with_the_place_and_dropped_by_a_repair() {
+    let alone = |_: &str| Err(std::io::ErrorKind::NotFound.into());
+    for line in ["LINESTRING(4 0,4 4)", "LINESTRING(1 1,2 1) LINESTRING(2 1,1 1)"] {
+        let wkt = format!("POLYGON((0 0,4 0,4 4,0 4)) POLYGON((4 0,8 0,8 4,4 4)) {line}");
+        let outlines = read(wkt.as_bytes(), OutlineFormat::Wkt, alone).unwrap();
+        let mapped = |outlines: crate::Outlines| {
+            let polygons = labelled(outlines.features);
+            maps(&polygons, &outlines.inside, &Division::default(), false).map(|found| found.0)
+        };
+        let error = mapped(outlines.clone()).unwrap_err();
+        assert!(error.is_touch && error.to_string().contains("runs along another one"), "{error}");
+        for repaired in [outlines.clone().repaired(None), outlines.repaired_together(None, None)] {
+            assert_eq!(mapped(repaired.unwrap()).unwrap().len(), 1);
+        }
+    }
+}
+
 /// The point of an island in a lake was taken for one in the lake.
 #[test]
 fn points_belong_to_the_island_that_they_are_on() {
