@@ -143,6 +143,7 @@ fn crossing(one: &LineEdge, other: &LineEdge) -> Option<DVec2> {
 fn give_corners(line: &mut Ring, at: DVec2, reach: f64, index: usize) -> Result<bool, DomainError> {
     let mut is_new = false;
     loop {
+        let before = line.corners.len();
         if let Some((side, cut)) = cut_of(0, line, at, reach) {
             match (cut, &line.sides[side.index].curve) {
                 (Cut::Point(piece), Curve::Polyline(_)) => {
@@ -152,7 +153,9 @@ fn give_corners(line: &mut Ring, at: DVec2, reach: f64, index: usize) -> Result<
             }
         } else if let Some((side, point)) = point_at(line, at) {
             split(line, side, at, [point, point + 1]);
-        } else {
+        }
+        // None is left, or a curve keeps its shape.
+        if line.corners.len() == before {
             break;
         }
         is_new = true;
@@ -210,6 +213,15 @@ mod tests {
         let noded = Domain::from_json_noded(&given).unwrap();
         assert_eq!(Domain::from_json(&noded.to_json()).unwrap().inside(), noded.inside());
         noded
+    }
+
+    #[test]
+    fn a_curve_that_a_line_crosses_gets_no_corner() {
+        let arc = r#"{"rectangle": {"width": 4, "height": 4}, "size": 1, "lines": [
+            {"corners": [[1, 2], [3, 2]], "sides": [{"arc": {"center": [2, 2]}, "intervals": 7}]},
+            {"points": [[2, 0.5], [2, 3.5]]}]}"#;
+        let error = Domain::from_json_noded(arc).unwrap_err();
+        assert!(error.to_string().contains("line 1"), "{error}");
     }
 
     #[test]
