@@ -266,11 +266,11 @@ def _geometry(source) -> Mapping[str, Any] | None:
         found = [_geometry(one) or {} for one in source]
         features = [one if one.get("type") == "Feature" else {"type": "Feature", "properties": {}, "geometry": one} for one in found]
         return {"type": "FeatureCollection", "features": features}
-    found = getattr(source, "__geo_interface__", None)
-    if found and found.get("type") == "LinearRing":
+    geometry: Mapping[str, Any] | None = getattr(source, "__geo_interface__", None)
+    if geometry and geometry.get("type") == "LinearRing":
         # shapely's own type, which GeoJSON does not have.
-        return {"type": "Polygon", "coordinates": [found["coordinates"]]}
-    return found
+        return {"type": "Polygon", "coordinates": [geometry["coordinates"]]}
+    return geometry
 
 
 def _rings(source) -> dict[str, Any]:
