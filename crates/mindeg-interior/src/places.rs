@@ -77,6 +77,7 @@ pub(crate) fn mend_places(
         })?;
         left[1] = left[1].min(TRIALS_FOR_BROKEN * count(mesh));
     }
+    let given_for_angles = left[0].max(1) as f64;
     for pass in 0..PASSES {
         let places = work.places(mesh);
         if places.is_empty() {
@@ -93,9 +94,10 @@ pub(crate) fn mend_places(
         let of = places.len() as f64;
         let mut ahead = Ahead::new();
         for (index, vertex) in places.iter().enumerate() {
-            // Each pass takes about as long as all before it.
+            // With trials left for all, each pass takes about as long as all before it; else trials are what takes time.
             let passes = f64::from((1 << pass) - 1) + f64::from(1 << pass) * index as f64 / of;
-            stage.reach(passes / f64::from((1 << PASSES) - 1))?;
+            let tried = 1.0 - left[0] as f64 / given_for_angles;
+            stage.reach(tried.max(passes / f64::from((1 << PASSES) - 1)))?;
             // The rings of the disc of a vertex, where trials are left for it.
             let rings = |v: u32| {
                 let is_alive = mesh.vertices[v as usize].triangles > 0;
