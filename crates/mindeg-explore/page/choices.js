@@ -90,7 +90,7 @@ export function showAdvice() {
   showPurposes(element("purposes"), advice, now);
   // Among what decides the angle: under the cards it would push the curve out of the first screen.
   element("on-edges").textContent = advice?.on_edges ?? "";
-  const conditioned = purposeNow() === "solver" ? advice?.conditioned : null;
+  const conditioned = now === "solver" ? advice?.conditioned : null;
   const button = element("put-on-edges");
   button.hidden = !conditioned;
   if (conditioned) button.textContent = `Put ${several(advice.points_on_edges, "point")} on edges: ${angleText(conditioned.min_angle)}`;

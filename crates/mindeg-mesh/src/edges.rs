@@ -1,9 +1,9 @@
 //! Edges as pairs of vertices.
 
-/// An edge whichever way it runs: the lesser vertex first.
+/// An edge whichever way it runs: the lesser end first, of indices or of other keys.
 #[must_use]
-pub fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
-    [a.min(b), a.max(b)]
+pub fn sorted<T: Ord>([a, b]: [T; 2]) -> [T; 2] {
+    if a <= b { [a, b] } else { [b, a] }
 }
 
 /// The edges of a triangle, which lies on the left of each.

@@ -125,17 +125,18 @@ fn cut(feature: &Feature) -> Result<Option<Vec<Feature>>, OutlineError> {
 }
 
 /// The parts of an edge of a line on either side of the antimeridian.
-fn parts_of(edge: Border) -> impl Iterator<Item = Border> {
+fn parts_of(edge: Border) -> Vec<Border> {
     let Segment { start, end, curve } = edge.segment;
-    let parts = if is_across(start, end) {
-        let latitude = crossing(start, end);
-        let on = |is_below| End { is_below, latitude }.point();
-        vec![[start, on(start.x > 0.0)], [on(end.x > 0.0), end]]
-    } else {
-        vec![[start, end]]
-    };
-    let parts = parts.into_iter().filter(|[start, end]| start != end);
-    parts.map(move |[start, end]| Border { segment: Segment { start, end, curve }, ..edge.clone() })
+    if !is_across(start, end) {
+        return vec![edge];
+    }
+    let latitude = crossing(start, end);
+    let on = |is_below| End { is_below, latitude }.point();
+    let parts = [[start, on(start.x > 0.0)], [on(end.x > 0.0), end]].into_iter();
+    let parts = parts.filter(|[start, end]| start != end);
+    parts
+        .map(|[start, end]| Border { segment: Segment { start, end, curve }, ..edge.clone() })
+        .collect()
 }
 
 fn edges(ring: &[DVec2]) -> impl Iterator<Item = [DVec2; 2]> + '_ {

@@ -6,7 +6,7 @@ use glam::DVec2;
 
 use super::curve::{PieceCurve, Segment};
 use super::loops::Link;
-use super::nesting::{Loop, contains, smallest_around};
+use super::nesting::{Loop, smallest_around};
 use super::outline::{Border, DrawnRing, Piece};
 use super::overlay::crossings::{MOST_COMPARISONS, meetings};
 use super::overlay::edge::{Edge, Step, points_of};
@@ -79,13 +79,4 @@ pub(super) fn faces(
         Border { segment, side: link.side.clone(), begins_side: false, beside: [None; 2] }
     });
     Ok(Ok(Faces { lines: lines.collect(), faces }))
-}
-
-/// Whether a point lies in a face.
-pub(super) fn is_in(face: &[DrawnRing], point: DVec2) -> bool {
-    let is_in_ring = |ring: &DrawnRing| contains(&ring.flattened(), &[point]);
-    match face {
-        [outer, holes @ ..] => is_in_ring(outer) && !holes.iter().any(is_in_ring),
-        [] => false,
-    }
 }

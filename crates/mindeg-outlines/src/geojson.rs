@@ -1,6 +1,6 @@
 //! GeoJSON (RFC 7946) and TopoJSON: `Polygon`, `MultiPolygon`, and what holds them.
 //!
-//! Other geometries are left out and counted. Names are `properties.name`, else `id`, or a property that is chosen. Longitude
+//! Lines and points are those inside. Names are `properties.name`, else `id`, or a property that is chosen. Longitude
 //! and latitude are taken as planar coordinates; heights are left out.
 //!
 //! The crate `geojson` tells what is wrong, but not in which feature or ring.

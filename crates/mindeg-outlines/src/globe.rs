@@ -317,12 +317,8 @@ impl Projecting {
             let [start, end] = [self.place(ends[0])?, self.place(ends[1])?];
             let bends = self.bends(ends);
             let points: Vec<DVec2> = once(start).chain(bends).chain([end]).collect();
-            let edges = points.windows(2).filter(|ends| ends[0] != ends[1]);
-            projected.lines.extend(edges.enumerate().map(|(index, ends)| Border {
-                segment: Segment { start: ends[0], end: ends[1], curve: PieceCurve::Line },
-                begins_side: line.begins_side && index == 0,
-                ..line.clone()
-            }));
+            let edges = Border::through(&points, line.side.clone(), line.begins_side);
+            projected.lines.extend(edges);
         }
         for point in &inside.points {
             let at = self.place(along([point.at; 2])[0])?;

@@ -5,7 +5,7 @@ use std::sync::Arc as Shared;
 
 use glam::DVec2;
 use mindeg_domain::{Domain, Inside, Side};
-use mindeg_mesh::LineKind;
+use mindeg_mesh::{LineKind, sorted};
 
 use super::outline::{Outlines, SideKinds, key};
 use super::text::{clean, quoted};
@@ -68,10 +68,6 @@ impl Outlines {
         }
         Ok(())
     }
-}
-
-fn sorted<T: PartialOrd>([a, b]: [T; 2]) -> [T; 2] {
-    if a <= b { [a, b] } else { [b, a] }
 }
 
 /// The domain with these kinds of its sides and lines.

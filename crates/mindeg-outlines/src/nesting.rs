@@ -32,6 +32,20 @@ impl Loop {
     }
 }
 
+/// The rings of a polygon.
+pub(super) fn loops(rings: &[DrawnRing]) -> Vec<Loop> {
+    rings.iter().map(|ring| Loop::new(ring.flattened())).collect()
+}
+
+/// Whether a point lies in a polygon: within its first ring and no other one.
+pub(super) fn is_in(rings: &[Loop], point: DVec2) -> bool {
+    let is_in_ring = |ring: &Loop| smallest_around([(0, ring)], &[point]).is_some();
+    match rings {
+        [outer, holes @ ..] => is_in_ring(outer) && !holes.iter().any(is_in_ring),
+        [] => false,
+    }
+}
+
 /// The index of the smallest of some loops that contains a ring of points, or a single point.
 pub(super) fn smallest_around<'a>(
     loops: impl IntoIterator<Item = (usize, &'a Loop)>,

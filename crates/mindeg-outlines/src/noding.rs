@@ -6,8 +6,8 @@ use glam::DVec2;
 use mindeg_mesh::sorted;
 
 use super::curve::{PieceCurve, Segment};
-use super::nesting::{Loop, smallest_around};
-use super::outline::{Border, DrawnInside, DrawnRing, Feature, Outlines, Piece, key};
+use super::nesting::{Loop, is_in, loops};
+use super::outline::{Border, DrawnInside, Feature, Outlines, Piece, key};
 use super::overlay::crossings::parted;
 use super::overlay::edge::Edge;
 use super::text::counted;
@@ -41,19 +41,10 @@ impl DrawnInside {
     /// points times vertices of the polygons around them.
     pub fn keep_within<'a>(&mut self, polygons: impl IntoIterator<Item = &'a Feature> + Clone) {
         let rings = || polygons.clone().into_iter().map(|polygon| &polygon.rings);
-        let loops = |rings: &Vec<DrawnRing>| -> Vec<Loop> {
-            rings.iter().map(|ring| Loop::new(ring.flattened())).collect()
-        };
-        let loops: Vec<Vec<Loop>> = rings().map(loops).collect();
+        let loops: Vec<Vec<Loop>> = rings().map(|rings| loops(rings)).collect();
         let starts = rings().flatten().flat_map(|ring| &ring.pieces).map(|piece| key(piece.start));
         let vertices: HashSet<_> = starts.collect();
-        let is_in = |at: DVec2| {
-            loops.iter().any(|rings| {
-                let [outer, holes @ ..] = &rings[..] else { return false };
-                let is_in_ring = |ring: &Loop| smallest_around([(0, ring)], &[at]).is_some();
-                is_in_ring(outer) && !holes.iter().any(is_in_ring)
-            })
-        };
+        let is_in = |at: DVec2| loops.iter().any(|rings| is_in(rings, at));
         self.lines.retain(|line| is_in(line.segment.point(0.5)));
         self.points.retain(|point| vertices.contains(&key(point.at)) || is_in(point.at));
     }
@@ -75,8 +66,7 @@ impl Outlines {
         let mut edges = HashSet::new();
         self.inside.lines.retain(|line| {
             let Segment { start, end, curve } = line.segment;
-            let ends = [key(start), key(end)];
-            curve != PieceCurve::Line || edges.insert([ends[0].min(ends[1]), ends[0].max(ends[1])])
+            curve != PieceCurve::Line || edges.insert(sorted([key(start), key(end)]))
         });
         let DrawnInside { lines, points } = &self.inside;
         let dropped = [before[0] - lines.len(), before[1] - points.len()];

@@ -49,6 +49,23 @@ pub(super) struct Border {
     pub(super) beside: [Option<u32>; 2],
 }
 
+impl Border {
+    /// The edges of a line inside through points, without those of no length.
+    pub(super) fn through(
+        points: &[DVec2],
+        side: Option<Shared<str>>,
+        begins_side: bool,
+    ) -> impl Iterator<Item = Self> + '_ {
+        let edges = points.windows(2).filter(|ends| ends[0] != ends[1]);
+        edges.enumerate().map(move |(index, ends)| Self {
+            segment: Segment { start: ends[0], end: ends[1], curve: PieceCurve::Line },
+            side: side.clone(),
+            begins_side: begins_side && index == 0,
+            beside: [None; 2],
+        })
+    }
+}
+
 /// Lines and points that lie in polygons.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DrawnInside {
@@ -66,14 +83,7 @@ impl DrawnInside {
 
     /// Adds a line through points; one of a single place is none.
     pub(super) fn add_line(&mut self, points: &[DVec2], name: Option<&str>) {
-        let name: Option<Shared<str>> = name.map(Shared::from);
-        let edges = points.windows(2).filter(|ends| ends[0] != ends[1]);
-        self.lines.extend(edges.enumerate().map(|(index, ends)| Border {
-            segment: Segment { start: ends[0], end: ends[1], curve: PieceCurve::Line },
-            side: name.clone(),
-            begins_side: index == 0,
-            beside: [None; 2],
-        }));
+        self.lines.extend(Border::through(points, name.map(Shared::from), true));
     }
 
     pub(super) fn add_point(&mut self, at: DVec2, name: Option<&str>) {

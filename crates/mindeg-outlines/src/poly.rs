@@ -14,10 +14,10 @@ use glam::{DVec2, DVec3};
 use mindeg_domain::InnerPoint;
 use mindeg_formats::triangle::{self, PolyFaces};
 
-use super::faces::{Faces, faces, is_in};
+use super::faces::{Faces, faces};
 use super::mesh_lines::{links, outlines};
-use super::nesting::contains;
-use super::outline::{Feature, Outlines};
+use super::nesting::{Loop, contains, is_in, loops};
+use super::outline::{DrawnRing, Feature, Outlines};
 use super::text::{counted, shown};
 use crate::error::OutlineError;
 
@@ -35,16 +35,15 @@ pub(super) fn read(
     let (lines, PolyFaces { holes, regions }) = triangle::read_lines(bytes, || beside("node"))?;
     let points: Vec<DVec2> = lines.positions.iter().map(|point| point.truncate()).collect();
     let between = faces(&points, &links(&lines, false))?;
+    let is_no_hole = |face: &&Vec<DrawnRing>| {
+        let rings = loops(face);
+        !holes.iter().any(|hole| is_in(&rings, hole.truncate()))
+    };
     let is_plain = |found: &Faces| {
         regions.is_empty()
             && found.lines.is_empty()
             && lines.points.is_empty()
-            && found
-                .faces
-                .iter()
-                .filter(|face| !holes.iter().any(|hole| is_in(face, hole.truncate())))
-                .count()
-                == 1
+            && found.faces.iter().filter(is_no_hole).count() == 1
     };
     let between = match between {
         Ok(found) if !is_plain(&found) => found,
@@ -67,10 +66,11 @@ pub(super) fn read(
     let mut outlines = Outlines::default();
     let mut used = vec![false; holes.len()];
     let mut region_of: Vec<Option<usize>> = vec![None; between.faces.len()];
+    let rings_of: Vec<Vec<Loop>> = between.faces.iter().map(|face| loops(face)).collect();
     for (index, region) in regions.iter().enumerate() {
         let at = region.at.truncate();
         let place = || OutlineError::place(format!("region {} at {}", index + 1, shown(at)), "");
-        let found = between.faces.iter().position(|face| is_in(face, at));
+        let found = rings_of.iter().position(|rings| is_in(rings, at));
         let Some(face) = found else {
             let problem = "it lies outside all closed lines; move it inside, or drop it".to_owned();
             return Err(OutlineError { problem, ..place() });
@@ -84,8 +84,8 @@ pub(super) fn read(
         }
         region_of[face] = Some(index);
     }
-    for (face, region) in between.faces.into_iter().zip(region_of) {
-        let in_face = holes.iter().enumerate().filter(|(_, hole)| is_in(&face, hole.truncate()));
+    for ((face, rings), region) in between.faces.into_iter().zip(&rings_of).zip(region_of) {
+        let in_face = holes.iter().enumerate().filter(|(_, hole)| is_in(rings, hole.truncate()));
         let in_face: Vec<usize> = in_face.map(|(index, _)| index).collect();
         in_face.iter().for_each(|&index| used[index] = true);
         match (in_face.first(), region.map(|region| &regions[region])) {

@@ -11,7 +11,7 @@ use mindeg_domain::InnerPoint;
 use crate::curve::Segment;
 use crate::error::OutlineError;
 use crate::loops::{Chains, Link, chains};
-use crate::nesting::{Loop, fits_in, polygons, smallest_around};
+use crate::nesting::{Loop, fits_in, loops, polygons, smallest_around};
 use crate::outline::{Border, Feature, FillRule, Outlines, Piece};
 
 /// A name of a layer.
@@ -72,10 +72,7 @@ pub(super) fn outlines(
 
 /// Makes a hole of each polygon in the smallest one around it that is of another layer.
 fn cut_others(features: &mut [Feature], of_layers: &[usize]) {
-    let rings = |feature: &Feature| -> Vec<Loop> {
-        feature.rings.iter().map(|ring| Loop::new(ring.flattened())).collect()
-    };
-    let loops: Vec<Vec<Loop>> = features.iter().map(rings).collect();
+    let loops: Vec<Vec<Loop>> = features.iter().map(|feature| loops(&feature.rings)).collect();
     for inner in 0..features.len() {
         let own = &loops[inner][0].points;
         let is_around = |&outer: &usize| {

@@ -27,7 +27,7 @@ pub(super) struct Reader<'a> {
     /// Lines with a kind of boundary.
     marked: Vec<MarkedLine>,
     /// The largest absolute values of the first and the second coordinate.
-    pub(super) largest: [f64; 2],
+    largest: [f64; 2],
 }
 
 /// Where a value is in the document.
@@ -86,42 +86,30 @@ impl Reader<'_> {
                     }
                 }
             }
-            "Polygon" => {
-                let rings = list(object, "coordinates", path)?;
-                self.polygon(rings, &Path::Key(path, "coordinates"), name)?;
+            "Polygon" | "MultiPolygon" => {
+                each_part(object, kind, "coordinates", "rings", path, |rings, path| {
+                    self.polygon(rings, path, name)
+                })?;
                 self.outlines.end_shape();
                 Ok(())
             }
-            "MultiPolygon" => {
-                let path = &Path::Key(path, "coordinates");
-                for (index, rings) in list(object, "coordinates", path)?.iter().enumerate() {
-                    let path = &Path::Item(path, index);
-                    self.polygon(items(rings, "rings", path)?, path, name)?;
-                }
-                self.outlines.end_shape();
+            "Point" | "MultiPoint" if list(object, "coordinates", path)?.is_empty() => {
+                self.skip("geometry without positions");
                 Ok(())
             }
             "Point" | "MultiPoint" => {
-                let coordinates = list(object, "coordinates", path)?;
-                let path = &Path::Key(path, "coordinates");
-                if coordinates.is_empty() {
-                    self.skip("geometry without positions");
-                } else if kind == "Point" {
-                    let at = self.position_of(coordinates, path)?;
+                each_part(object, kind, "coordinates", "two numbers", path, |numbers, path| {
+                    let at = self.position(numbers, path)?;
                     self.outlines.inside.add_point(at, name);
-                } else {
-                    for (index, position) in coordinates.iter().enumerate() {
-                        let at = self.position(position, &Path::Item(path, index))?;
-                        self.outlines.inside.add_point(at, name);
-                    }
-                }
-                Ok(())
+                    Ok(())
+                })
             }
             "LineString" | "MultiLineString" => {
-                for (points, _) in self.lines(object, path)? {
+                each_part(object, kind, "coordinates", "positions", path, |positions, path| {
+                    let points = self.positions(positions, path)?;
                     self.outlines.inside.add_line(&points, name);
-                }
-                Ok(())
+                    Ok(())
+                })
             }
             other => Err(path.error(format!(
                 "the type {} is none of GeoJSON; expected \"FeatureCollection\", \"Feature\", \
@@ -141,39 +129,19 @@ impl Reader<'_> {
         let property = |key: &str| feature.get("properties")?.get(key)?.as_str();
         let Some(kind) = property("kind").and_then(LineKind::named) else { return Ok(false) };
         let Some(geometry) = geometry.as_object() else { return Ok(false) };
-        let kind_of_geometry = geometry.get("type").and_then(Value::as_str);
-        if !matches!(kind_of_geometry, Some("LineString" | "MultiLineString")) {
+        let Some(shape @ ("LineString" | "MultiLineString")) =
+            geometry.get("type").and_then(Value::as_str)
+        else {
             return Ok(false);
-        }
-        let name = property("name").or_else(|| property("line"));
-        for (points, place) in self.lines(geometry, path)? {
-            let name = name.map(str::to_owned);
-            self.marked.push(MarkedLine { points, name, kind, place });
-        }
-        Ok(true)
-    }
-
-    /// The points of a `LineString`, or of each line of a `MultiLineString`, with its place.
-    fn lines(
-        &mut self,
-        geometry: &Map<String, Value>,
-        path: &Path<'_>,
-    ) -> Result<Vec<(Vec<DVec2>, String)>, OutlineError> {
-        let coordinates = list(geometry, "coordinates", path)?;
-        let path = &Path::Key(path, "coordinates");
-        let mut line = |positions: &[Value], path: &Path<'_>| {
-            let positions = positions.iter().enumerate();
-            let points = positions.map(|(index, at)| self.position(at, &Path::Item(path, index)));
-            Ok((points.collect::<Result<_, _>>()?, path.text()))
         };
-        if geometry.get("type").and_then(Value::as_str) == Some("LineString") {
-            return Ok(vec![line(coordinates, path)?]);
-        }
-        let lines = coordinates.iter().enumerate().map(|(index, positions)| {
-            let path = &Path::Item(path, index);
-            line(items(positions, "positions", path)?, path)
-        });
-        lines.collect()
+        let name = property("name").or_else(|| property("line"));
+        each_part(geometry, shape, "coordinates", "positions", path, |positions, path| {
+            let points = self.positions(positions, path)?;
+            let (name, place) = (name.map(str::to_owned), path.text());
+            self.marked.push(MarkedLine { points, name, kind, place });
+            Ok(())
+        })?;
+        Ok(true)
     }
 
     fn each(
@@ -205,10 +173,7 @@ impl Reader<'_> {
         }
         let rings = rings.iter().enumerate().map(|(index, ring)| {
             let path = &Path::Item(path, index);
-            let points = items(ring, "positions", path)?.iter().enumerate();
-            let points = points
-                .map(|(index, position)| self.position(position, &Path::Item(path, index)))
-                .collect::<Result<Vec<_>, _>>()?;
+            let points = self.positions(items(ring, "positions", path)?, path)?;
             if points.is_empty() {
                 return Err(path.error("the ring has no positions; drop it"));
             }
@@ -227,15 +192,26 @@ impl Reader<'_> {
         });
     }
 
-    pub(super) fn position(
-        &mut self,
-        value: &Value,
-        path: &Path<'_>,
-    ) -> Result<DVec2, OutlineError> {
-        self.position_of(items(value, "two numbers", path)?, path)
+    fn positions(&mut self, values: &[Value], path: &Path<'_>) -> Result<Vec<DVec2>, OutlineError> {
+        let points = values.iter().enumerate().map(|(index, value)| {
+            let path = &Path::Item(path, index);
+            self.position(items(value, "two numbers", path)?, path)
+        });
+        points.collect()
     }
 
-    fn position_of(&mut self, numbers: &[Value], path: &Path<'_>) -> Result<DVec2, OutlineError> {
+    fn position(&mut self, numbers: &[Value], path: &Path<'_>) -> Result<DVec2, OutlineError> {
+        let point = self.pair(numbers, path)?;
+        self.measure(point);
+        Ok(point)
+    }
+
+    /// The numbers of a position, which in TopoJSON may be those of no place.
+    pub(super) fn pair(
+        &mut self,
+        numbers: &[Value],
+        path: &Path<'_>,
+    ) -> Result<DVec2, OutlineError> {
         let [x, y, rest @ ..] = numbers else {
             return Err(path.error("a position needs two numbers, such as [4.5, 52.1]"));
         };
@@ -245,9 +221,7 @@ impl Reader<'_> {
                 path.error(format!("found {} in a position, expected a number", kind(value)))
             })
         };
-        let point = DVec2::new(number(x)?, number(y)?);
-        self.measure(point);
-        Ok(point)
+        Ok(DVec2::new(number(x)?, number(y)?))
     }
 
     pub(super) fn measure(&mut self, point: DVec2) {
@@ -338,6 +312,26 @@ pub(super) fn list<'a>(
         return Err(path.error(format!("{key:?} is missing")));
     };
     items(value, key, &Path::Key(path, key))
+}
+
+/// Reads what a geometry of a kind has under a key: one list of `what`, or each of several where the kind is a multiple.
+pub(super) fn each_part(
+    geometry: &Map<String, Value>,
+    kind: &str,
+    key: &'static str,
+    what: &str,
+    path: &Path<'_>,
+    mut read: impl FnMut(&[Value], &Path<'_>) -> Result<(), OutlineError>,
+) -> Result<(), OutlineError> {
+    let parts = list(geometry, key, path)?;
+    let path = &Path::Key(path, key);
+    if !kind.starts_with("Multi") {
+        return read(parts, path);
+    }
+    parts.iter().enumerate().try_for_each(|(index, part)| {
+        let path = &Path::Item(path, index);
+        read(items(part, what, path)?, path)
+    })
 }
 
 pub(super) fn items<'a>(

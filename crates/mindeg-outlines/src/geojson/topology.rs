@@ -3,7 +3,7 @@
 use glam::DVec2;
 use serde_json::{Map, Value};
 
-use super::reader::{Path, Reader, items, kind, list};
+use super::reader::{Path, Reader, each_part, items, kind, list};
 use crate::error::OutlineError;
 use crate::outline::DrawnRing;
 use crate::text::quoted;
@@ -83,7 +83,8 @@ fn arcs(
         let path = Path::Item(&path, index);
         let mut sum = DVec2::ZERO;
         let points = items(arc, "positions", &path)?.iter().enumerate().map(|(index, position)| {
-            let point = reader.position(position, &Path::Item(&path, index))?;
+            let path = &Path::Item(&path, index);
+            let point = reader.pair(items(position, "two numbers", path)?, path)?;
             let point = match transform {
                 None => point,
                 Some((scale, translate)) => {
@@ -93,16 +94,12 @@ fn arcs(
             };
             match point.is_finite() {
                 true => Ok(point),
-                false => Err(Path::Item(&path, index).error("the coordinate is too large")),
+                false => Err(path.error("the coordinate is too large")),
             }
         });
         points.collect()
     };
-    let arcs =
-        list(top, "arcs", &start)?.iter().enumerate().map(arc).collect::<Result<Vec<_>, _>>()?;
-    // The numbers of the file were differences.
-    reader.largest = [0.0; 2];
-    Ok(arcs)
+    list(top, "arcs", &start)?.iter().enumerate().map(arc).collect()
 }
 
 impl Topology {
@@ -116,7 +113,6 @@ impl Topology {
         let Some(object) = value.as_object() else {
             return Err(path.error(format!("found {}, expected a geometry", kind(value))));
         };
-        let arcs = Path::Key(path, "arcs");
         match object.get("type") {
             Some(Value::Null) => reader.skip("geometry of no type"),
             Some(Value::String(kind)) => match &**kind {
@@ -126,44 +122,38 @@ impl Topology {
                         self.geometry(geometry, &Path::Item(&geometries, index), reader)?;
                     }
                 }
-                "Polygon" => {
+                "Polygon" | "MultiPolygon" => {
                     let name = reader.own_name(object);
-                    self.polygon(list(object, "arcs", path)?, &arcs, name.as_deref(), reader)?;
+                    each_part(object, kind, "arcs", "rings", path, |rings, path| {
+                        self.polygon(rings, path, name.as_deref(), reader)
+                    })?;
                     reader.outlines.end_shape();
                 }
-                "MultiPolygon" => {
+                "LineString" | "MultiLineString" => {
                     let name = reader.own_name(object);
-                    for (index, rings) in list(object, "arcs", path)?.iter().enumerate() {
-                        let path = Path::Item(&arcs, index);
-                        let rings = items(rings, "rings", &path)?;
-                        self.polygon(rings, &path, name.as_deref(), reader)?;
-                    }
-                    reader.outlines.end_shape();
+                    each_part(object, kind, "arcs", "arcs", path, |arcs, path| {
+                        let points = self.points(arcs, path, reader)?;
+                        reader.outlines.inside.add_line(&points, name.as_deref());
+                        Ok(())
+                    })?;
                 }
-                "LineString" => {
+                "Point" | "MultiPoint" => {
                     let name = reader.own_name(object);
-                    self.line(list(object, "arcs", path)?, &arcs, name.as_deref(), reader)?;
-                }
-                "MultiLineString" => {
-                    let name = reader.own_name(object);
-                    for (index, line) in list(object, "arcs", path)?.iter().enumerate() {
-                        let path = Path::Item(&arcs, index);
-                        self.line(items(line, "arcs", &path)?, &path, name.as_deref(), reader)?;
-                    }
-                }
-                "Point" => {
-                    let name = reader.own_name(object);
-                    let at = object.get("coordinates").unwrap_or(&Value::Null);
-                    let path = Path::Key(path, "coordinates");
-                    self.point(at, &path, name.as_deref(), reader)?;
-                }
-                "MultiPoint" => {
-                    let name = reader.own_name(object);
-                    let coordinates = Path::Key(path, "coordinates");
-                    for (index, at) in list(object, "coordinates", path)?.iter().enumerate() {
-                        let path = Path::Item(&coordinates, index);
-                        self.point(at, &path, name.as_deref(), reader)?;
-                    }
+                    each_part(
+                        object,
+                        kind,
+                        "coordinates",
+                        "two numbers",
+                        path,
+                        |numbers, path| {
+                            let at = reader.pair(numbers, path)?;
+                            let placed = |(scale, translate)| at * scale + translate;
+                            let at = self.transform.map_or(at, placed);
+                            reader.measure(at);
+                            reader.outlines.inside.add_point(at, name.as_deref());
+                            Ok(())
+                        },
+                    )?;
                 }
                 other => {
                     let problem = format!("the type {} is none of TopoJSON", quoted(other));
@@ -189,49 +179,23 @@ impl Topology {
         let mut drawn = Vec::with_capacity(rings.len());
         for (index, ring) in rings.iter().enumerate() {
             let path = &Path::Item(path, index);
-            let points = self.ring(items(ring, "arcs", path)?, path)?;
+            let points = self.points(items(ring, "arcs", path)?, path, reader)?;
             if points.is_empty() {
                 return Err(path.error("the ring has no positions; drop it"));
             }
-            points.iter().for_each(|&point| reader.measure(point));
             drawn.push(DrawnRing::of_points(points));
         }
         reader.add(name, drawn);
         Ok(())
     }
 
-    fn line(
+    /// The points of a ring or a line: each arc begins where the one before ends.
+    fn points(
         &mut self,
         indices: &[Value],
         path: &Path<'_>,
-        name: Option<&str>,
         reader: &mut Reader<'_>,
-    ) -> Result<(), OutlineError> {
-        let points = self.ring(indices, path)?;
-        points.iter().for_each(|&point| reader.measure(point));
-        reader.outlines.inside.add_line(&points, name);
-        Ok(())
-    }
-
-    fn point(
-        &self,
-        position: &Value,
-        path: &Path<'_>,
-        name: Option<&str>,
-        reader: &mut Reader<'_>,
-    ) -> Result<(), OutlineError> {
-        let largest = reader.largest;
-        let at = reader.position(position, path)?;
-        let at = self.transform.map_or(at, |(scale, translate)| at * scale + translate);
-        // The numbers of the file may be whole ones to be scaled.
-        reader.largest = largest;
-        reader.measure(at);
-        reader.outlines.inside.add_point(at, name);
-        Ok(())
-    }
-
-    /// The points of a ring or a line: each arc begins where the one before ends.
-    fn ring(&mut self, indices: &[Value], path: &Path<'_>) -> Result<Vec<DVec2>, OutlineError> {
+    ) -> Result<Vec<DVec2>, OutlineError> {
         let mut points: Vec<DVec2> = Vec::new();
         for (at, value) in indices.iter().enumerate() {
             // -1 is the first arc from its end to its start.
@@ -255,6 +219,7 @@ impl Topology {
                 points.extend(arc);
             }
         }
+        points.iter().for_each(|&point| reader.measure(point));
         Ok(points)
     }
 }

@@ -4,12 +4,16 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::curve::{PieceCurve, Segment};
-use crate::{OutlineFormat, labelled, read};
+use crate::{OutlineFormat, Outlines, labelled, read};
+
+fn outlines(wkt: &str) -> Outlines {
+    let alone = |_: &str| Err(std::io::ErrorKind::NotFound.into());
+    read(wkt.as_bytes(), OutlineFormat::Wkt, alone).unwrap()
+}
 
 /// The polygons of a text in WKT.
 fn polygons(wkt: &str) -> Vec<Polygon> {
-    let alone = |_: &str| Err(std::io::ErrorKind::NotFound.into());
-    labelled(read(wkt.as_bytes(), OutlineFormat::Wkt, alone).unwrap().features)
+    labelled(outlines(wkt).features)
 }
 
 /// The maps of polygons in WKT.
@@ -349,11 +353,10 @@ fn rings_that_touch_and_part_a_polygon_are_named() {
 
 #[test]
 fn a_line_along_another_edge_is_refused_with_the_place_and_dropped_by_a_repair() {
-    let alone = |_: &str| Err(std::io::ErrorKind::NotFound.into());
     for line in ["LINESTRING(4 0,4 4)", "LINESTRING(1 1,2 1) LINESTRING(2 1,1 1)"] {
         let wkt = format!("POLYGON((0 0,4 0,4 4,0 4)) POLYGON((4 0,8 0,8 4,4 4)) {line}");
-        let outlines = read(wkt.as_bytes(), OutlineFormat::Wkt, alone).unwrap();
-        let mapped = |outlines: crate::Outlines| {
+        let outlines = outlines(&wkt);
+        let mapped = |outlines: Outlines| {
             let polygons = labelled(outlines.features);
             maps(&polygons, &outlines.inside, &Division::default(), false).map(|found| found.0)
         };
@@ -370,8 +373,7 @@ fn a_line_along_another_edge_is_refused_with_the_place_and_dropped_by_a_repair()
 fn points_belong_to_the_island_that_they_are_on() {
     let wkt = "POLYGON((0 0,9 0,9 9,0 9),(2 2,2 7,7 7,7 2)) POLYGON((4 4,5 4,5 5,4 5)) \
                MULTIPOINT(4.5 4.5, 1 1, 5 5) LINESTRING(4.2 4.2,4.4 4.2)";
-    let alone = |_: &str| Err(std::io::ErrorKind::NotFound.into());
-    let outlines = read(wkt.as_bytes(), OutlineFormat::Wkt, alone).unwrap();
+    let outlines = outlines(wkt);
     let polygons = labelled(outlines.features);
     let (maps, _) = maps(&polygons, &outlines.inside, &Division::default(), false).unwrap();
     let counts = |map: &Domain| (map.inside().points.len(), map.inside().lines.len());
