@@ -119,6 +119,25 @@ fn arrows_between_crates_are_those_of_the_architecture_page() {
 }
 
 #[test]
+fn every_file_of_tests_is_in_its_program() {
+    let mut left_out = Vec::new();
+    for folder in crates().values().map(|folder| folder.join("tests")) {
+        // The programs that cargo finds by itself need no list.
+        let Ok(listed) = fs::read_to_string(folder.join("main.rs")) else { continue };
+        for file in fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path()) {
+            let name = file.file_stem().unwrap().to_string_lossy();
+            if file.extension().is_some_and(|ending| ending == "rs")
+                && name != "main"
+                && !listed.contains(&format!("mod {name};"))
+            {
+                left_out.push(file.display().to_string());
+            }
+        }
+    }
+    assert_none(&left_out, "name these in tests/main.rs, or they are never run");
+}
+
+#[test]
 fn no_file_is_long() {
     let mut faults = Vec::new();
     for path in crates().values().flat_map(|folder| files(&folder.join("src"), &[".rs"])) {

@@ -1,5 +1,4 @@
 //! mindeg against Delaunay on many domains: what theory says must hold on each.
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use glam::DVec2;
 use mindeg::{Domain, Side, Spacing};

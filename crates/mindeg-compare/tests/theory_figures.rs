@@ -4,12 +4,12 @@ use std::path::Path;
 
 #[path = "../examples/theory_figures.rs"]
 #[expect(dead_code, reason = "the example's own entry point")]
-mod theory_figures;
+mod example;
 
 #[test]
 fn the_figures_of_the_theory_are_as_drawn() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/figures");
-    for (name, figure) in theory_figures::figures().unwrap() {
+    for (name, figure) in example::figures().unwrap() {
         let mut drawn = Vec::new();
         mindeg_formats::svg::write(&*figure, &mut drawn).unwrap();
         let kept = std::fs::read(folder.join(name)).unwrap();

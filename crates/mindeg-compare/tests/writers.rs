@@ -1,5 +1,4 @@
 //! The same domain gives the same bytes, but for times; and what is written is what is known.
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use mindeg::{Domain, Side};
 use mindeg_compare::{CompareOptions, compare, write_html, write_json, write_markdown};

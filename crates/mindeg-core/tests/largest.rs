@@ -1,8 +1,6 @@
 //! Triangulations of the largest boundaries, n = 2^32 - 2 and slightly less: by windows, since all
 //! triangles would take too long.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use mindeg_core::{Boundary, MAX_VERTICES, Triangulation, certificate, least_degree_triangulation};
 
 const WIDTH: u32 = 400;

@@ -1,7 +1,5 @@
 //! Compares the strip between two rings with all possible strips.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use mindeg_core::RingStrip;
 
 /// The largest degree of the strip that a cyclic word spells, as bits: 1 is X.

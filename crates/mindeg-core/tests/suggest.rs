@@ -1,7 +1,5 @@
 //! Compares suggestions with every change of counts of the same cost or less.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use mindeg_core::{Boundary, Suggestion, least_max_degree, suggest, suggestions};
 use proptest::prelude::*;
 use std::cmp::Reverse;

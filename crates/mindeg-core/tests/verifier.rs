@@ -1,8 +1,6 @@
 //! Compares the verifier with an oracle that uses geometry alone: exact areas and exact separating
 //! lines on a strictly convex lattice polygon with collinear side points.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use mindeg_core::{Boundary, Candidates, verify};
 use proptest::prelude::*;
 use std::collections::BTreeSet;

@@ -1,7 +1,5 @@
 //! Models: their contents, and the errors of bad ones.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use glam::DVec3;
 use mindeg_domain::{FromMesh, Model, ModelPlace, Side, Spacing};
 use mindeg_mesh::{Group, Polygons, TriMesh};

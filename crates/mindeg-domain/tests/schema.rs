@@ -1,8 +1,6 @@
 //! docs/domains.md and docs/models.md explain the keys of the JSON Schema. Whether documents keep to the
 //! schema, tests/formats/schemas.py asks another library.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use std::path::Path;
 
 use mindeg_domain::{DomainDescription, ModelDescription};

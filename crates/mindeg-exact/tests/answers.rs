@@ -1,7 +1,5 @@
 //! Known answers, and what must hold of every answer.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use glam::DVec2;
 use mindeg_core::{Boundary, verify};
 use mindeg_exact::{

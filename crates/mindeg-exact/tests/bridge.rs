@@ -1,7 +1,5 @@
 //! Strips between rings beside all strips there are.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use glam::DVec3;
 use mindeg_core::RingStrip;
 use mindeg_exact::{Bridge, BridgeProblem, Cancelled, Progress, Unsolved, bridge_rings};

@@ -1,11 +1,7 @@
 //! Decisions of degree limits and of angles with holes, against all triangulations; their proofs, and proofs that
 //! are not.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
-mod domains;
-
-use domains::{Holed, Random, for_random};
+use crate::domains::{Holed, Random, for_random};
 use mindeg_exact::check::refutation::refutes;
 use mindeg_exact::{
     COVER_STEPS, Cover, Decision, Element, Literal, LowerBound, Problem, Progress, Reached,

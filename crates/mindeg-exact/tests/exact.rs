@@ -1,11 +1,7 @@
 //! The answers against solvers that are slow and plainly right.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
-mod plain;
-
+use crate::plain::{Instance, Rank, instances, regular};
 use mindeg_exact::{Progress, Unsolved, best_angle, least_max_degree, trade_off};
-use plain::{Instance, Rank, instances, regular};
 use proptest::prelude::*;
 
 /// Checks the answers for every limit up to one above the degrees there can be.

@@ -1,7 +1,5 @@
 //! Loops in space beside all triangulations there are.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use glam::DVec3;
 use mindeg_exact::{
     Cancelled, LoopLimit, LoopProblem, LoopTriangulation, Progress, Unsolved, fill_loop,

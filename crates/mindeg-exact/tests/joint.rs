@@ -1,14 +1,10 @@
 //! Costs of vertices that several polygons share: against all triangulations of one polygon.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
-mod outlines;
-
+use crate::outlines::{Measured, Outline, Random};
 use glam::DVec2;
 use mindeg_exact::measure::min_angle_tangent;
 use mindeg_exact::{Block, Cost, LeastWeight, Patch};
 use mindeg_mesh::check;
-use outlines::{Measured, Outline, Random};
 
 /// Costs from a table, and triangles that cost by their shape or are not allowed.
 struct Table {

@@ -1,9 +1,6 @@
 //! Polygons that are not convex: against all triangulations, and known answers.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
-mod outlines;
-
+use crate::outlines::{Measured, Outline, Random, Rank};
 use glam::DVec2;
 use mindeg_exact::{
     Cancelled, DegreeRange, LowerBound, Problem, Progress, Reached, Unsolved, best_angle,
@@ -11,7 +8,6 @@ use mindeg_exact::{
 };
 use mindeg_mesh::planar::PlanarBoundary;
 use mindeg_mesh::{Step, check};
-use outlines::{Measured, Outline, Random, Rank};
 use std::ops::ControlFlow;
 use std::ops::Range;
 use std::slice;

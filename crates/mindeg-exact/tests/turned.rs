@@ -1,14 +1,10 @@
 //! Combs with many points on few lines, and spirals almost without width, turned by any angle: the checker
 //! finds the same least degree from the definition.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
-mod outlines;
-
+use crate::outlines::{Outline, Random};
 use glam::DVec2;
 use mindeg_exact::check::CheckedOutline;
 use mindeg_exact::{Progress, degree_range};
-use outlines::{Outline, Random};
 use std::slice;
 
 fn turned(outline: &Outline, angle: f64, offset: f64) -> Outline {

@@ -1,7 +1,5 @@
 //! The elements that MSH and VTK files have besides plain triangles, as their formats define them.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use std::fmt::Write as _;
 
 use mindeg_formats::{Format, ReadError, read_as};

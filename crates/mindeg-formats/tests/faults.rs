@@ -1,8 +1,6 @@
 //! Files that take a byte at a time, are interrupted, or fail anywhere: the same bytes, or the error that
 //! the file gave. Never a panic, and never a success with a part of the file.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use glam::DVec3;
 use mindeg_formats::{
     Encoding, Format, MshVersion, ReadError, SurfaceOptions, WriteError, WriteOptions, Writer,

@@ -1,7 +1,5 @@
 //! Written meshes, read by tobj and the gltf crate, which share nothing with our readers.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use glam::DVec3;
 use mindeg::{BoundaryMesh, Domain};
 use mindeg_formats::{SurfaceOptions, glb, obj};

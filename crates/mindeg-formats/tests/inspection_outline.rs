@@ -1,7 +1,5 @@
 //! The convex outlines that inspections find, and those that are none.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use glam::{DQuat, DVec2, DVec3};
 use mindeg::inspection::{FoundOutline, Inspection, InspectionOptions, NoConvexOutline};
 use mindeg::{BoundaryMesh, Domain, Side, Spacing};

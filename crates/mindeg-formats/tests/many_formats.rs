@@ -2,10 +2,6 @@
 //! is the same mesh as far as the format goes, and what is damaged between is an error or another
 //! mesh, never a panic.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
-mod polygons;
-
 use glam::DVec3;
 use mindeg::{BoundaryMesh, Domain};
 use mindeg_formats::{Format, ReadError, WriteOptions, Writer, read, read_as};
@@ -75,7 +71,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(120))]
 
     #[test]
-    fn what_is_written_is_read(mesh in polygons::meshes()) {
+    fn what_is_written_is_read(mesh in crate::polygons::meshes()) {
         for format in FORMATS {
             if format == Format::Stl && Writer::new(format, exact(), &mesh, 1).is_err() {
                 // Points that 32 bits cannot tell apart.
@@ -123,7 +119,7 @@ proptest! {
     }
 
     #[test]
-    fn float_ply_keeps_what_32_bits_can(mesh in polygons::meshes()) {
+    fn float_ply_keeps_what_32_bits_can(mesh in crate::polygons::meshes()) {
         if Writer::new(Format::Ply, WriteOptions::default(), &mesh, 1).is_ok() {
             let read = read_back(&write(&mesh, Format::Ply, WriteOptions::default())).unwrap();
             let points = positions(&mesh).into_iter().map(|point| point.as_vec3().as_dvec3());
@@ -175,7 +171,7 @@ proptest! {
 
     #[test]
     fn no_damage_makes_a_reader_panic(
-        mesh in polygons::meshes(),
+        mesh in crate::polygons::meshes(),
         damages in prop::collection::vec((0..5_u8, any::<usize>(), 1..40_usize), 1..4),
         which in 0..3_usize,
     ) {

@@ -1,7 +1,5 @@
 //! Materials: from files into groups, and back.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use std::io;
 use std::ops::Range;
 use std::sync::Arc;

@@ -1,8 +1,6 @@
 //! Whatever a mesh, its groups, lines and materials are called: what is written is read again as the
 //! same triangles, points, lines and number of groups, and no name means anything to a format.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use std::io::{self, ErrorKind};
 use std::path::Path;
 use std::sync::Arc;

@@ -1,7 +1,5 @@
 //! The glTF reader on files of other programs, and on files that are none.
 
-#![expect(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
-
 use base64::Engine;
 use glam::DVec3;
 use mindeg_formats::{ReadError, gltf};

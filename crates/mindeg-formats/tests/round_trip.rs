@@ -1,10 +1,6 @@
 //! A mesh that is written and read again is the same, and a file that is damaged between is an error
 //! or another mesh, never a panic.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
-mod polygons;
-
 use glam::{DVec2, DVec3};
 use mindeg::BoundaryMesh;
 use mindeg_formats::{MeshPlane, SurfaceOptions, glb, gltf, obj};
@@ -67,7 +63,7 @@ fn check(
 
 proptest! {
     #[test]
-    fn obj_keeps_every_bit(mesh in polygons::meshes(), options in options()) {
+    fn obj_keeps_every_bit(mesh in crate::polygons::meshes(), options in options()) {
         let read = obj::read(obj(&mesh, &options).as_slice()).unwrap();
         check(&mesh, &read, &options)?;
         prop_assert_eq!(read.positions().len(), mesh.vertex_count() as usize);
@@ -77,7 +73,7 @@ proptest! {
     }
 
     #[test]
-    fn gltf_keeps_what_32_bit_floats_can(mesh in polygons::meshes(), options in options()) {
+    fn gltf_keeps_what_32_bit_floats_can(mesh in crate::polygons::meshes(), options in options()) {
         let read = glb::read(glb(&mesh, &options).as_slice(), no_files).unwrap();
         check(&mesh, &read, &options)?;
         prop_assert_eq!(read.positions().len(), mesh.vertex_count() as usize);
@@ -99,7 +95,7 @@ proptest! {
     }
 
     #[test]
-    fn the_same_mesh_gives_the_same_bytes(mesh in polygons::meshes(), options in options()) {
+    fn the_same_mesh_gives_the_same_bytes(mesh in crate::polygons::meshes(), options in options()) {
         let copy = mesh.clone();
         prop_assert_eq!(obj(&mesh, &options), obj(&copy, &options));
         prop_assert_eq!(glb(&mesh, &options), glb(&copy, &options));
@@ -155,7 +151,7 @@ proptest! {
 
     #[test]
     fn no_damage_makes_a_reader_panic(
-        mesh in polygons::meshes(),
+        mesh in crate::polygons::meshes(),
         options in options(),
         damages in prop::collection::vec(damage(), 1..4),
     ) {

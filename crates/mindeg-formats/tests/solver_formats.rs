@@ -1,8 +1,6 @@
 //! MSH, VTU, legacy VTK, SU2 and Abaqus input: what is written is read again, and no bytes are a
 //! panic.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use glam::DVec3;
 use mindeg::{BoundaryMesh, Domain, Side};
 use mindeg_formats::{

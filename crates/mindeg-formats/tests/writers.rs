@@ -1,7 +1,5 @@
 //! The writers, byte by byte on a small mesh and by their rules on larger ones.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use glam::DVec3;
 use mindeg::{BoundaryMesh, Domain};
 use mindeg_formats::{MeshPlane, SurfaceOptions, WriteError, glb, gltf, obj, svg};

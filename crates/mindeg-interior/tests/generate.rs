@@ -1,12 +1,11 @@
 //! Whole meshes: valid, with the boundary as it was, and as good as promised.
-#![allow(clippy::unwrap_used, clippy::cloned_ref_to_slice_refs)]
+#![allow(clippy::cloned_ref_to_slice_refs)]
 
-mod checker;
 #[path = "../examples/corpus/polygons.rs"]
 #[allow(dead_code)]
 mod polygons;
 
-use checker::{assert_valid, degrees, min_angle};
+use crate::checker::{assert_valid, degrees, min_angle};
 use glam::DVec2;
 use mindeg_interior::{
     Generated, Interior, InteriorError, Options, Prefer, Size, SizeAt, generate,

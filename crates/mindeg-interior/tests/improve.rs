@@ -1,9 +1,6 @@
 //! Improving meshes: valid in, valid out, the boundary and what is kept as they were.
-#![allow(clippy::unwrap_used)]
 
-mod checker;
-
-use checker::{assert_valid, degrees, min_angle};
+use crate::checker::{assert_valid, degrees, min_angle};
 use glam::DVec2;
 use mindeg_interior::{Improved, Interior, InteriorError, Keep, Options, improve};
 use mindeg_mesh::Progress;

@@ -1,5 +1,4 @@
 //! Surfaces in space: degrees, angles, features, distances and bytes of their meshes.
-#![allow(clippy::unwrap_used)]
 
 #[path = "../examples/surfaces/models.rs"]
 mod models;

@@ -1,7 +1,5 @@
 //! Inspections of meshes with known results.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use glam::{DQuat, DVec3, Vec3Swizzles as _};
 use mindeg_mesh::inspection::{Inspection, InspectionOptions, NoConvexOutline};
 use mindeg_mesh::{Polygons, TriMesh};

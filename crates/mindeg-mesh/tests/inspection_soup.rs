@@ -1,7 +1,5 @@
 //! Inspections of random triangles against plain definitions, each looked up on its own.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use glam::DVec3;
 use mindeg_mesh::TriMesh;
 use mindeg_mesh::inspection::{Inspection, InspectionOptions};

@@ -1,7 +1,5 @@
 //! Outlines from rounded coordinates: the right outline or none.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use glam::{DQuat, DVec2, DVec3};
 use mindeg_mesh::TriMesh;
 use mindeg_mesh::inspection::{FoundOutline, Inspection, InspectionOptions, NoConvexOutline};

@@ -1,6 +1,5 @@
 //! Meshes with interior points through the library.
 #![cfg(feature = "interior")]
-#![allow(clippy::unwrap_used)]
 
 use glam::DVec3;
 use mindeg::glam;

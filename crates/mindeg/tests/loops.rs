@@ -1,7 +1,5 @@
 //! Meshes whose loops are filled or bridged.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use mindeg::bridge::{BridgeOptions, bridge};
 use mindeg::fill::{FILL, FillOptions, Filled, fill};
 use mindeg::glam::DVec3;

@@ -1,7 +1,5 @@
 //! Meshes of maps from their points alone, beside all triangulations of small ones, and their checks.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use std::collections::BTreeSet;
 
 use glam::{DVec2, DVec3};

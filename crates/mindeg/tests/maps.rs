@@ -1,7 +1,5 @@
 //! Maps: regions that are holes, and the check of meshes.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use std::collections::BTreeSet;
 
 use glam::{DVec2, DVec3};

@@ -1,15 +1,11 @@
 //! Whole models: the least maximum degrees that are known, and watertight meshes.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
-mod solids;
-
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::solids::Solid;
 use mindeg::glam::DVec3;
 use mindeg::model::{JointBound, ModelMesh, fill_model, mesh_model};
 use mindeg::{Goal, Interior, Model, Progress, Side, TriMesh};
-use solids::Solid;
 
 fn meshed(model: &Model) -> ModelMesh {
     mesh_model(model, Goal::LeastDegree, 0.25, Progress::NONE).unwrap()

@@ -1,11 +1,6 @@
 //! Meshes of domains that are not convex: against all triangulations, and known answers.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
-#[path = "../../mindeg-exact/tests/outlines/mod.rs"]
-mod outlines;
-mod stars;
-
+use crate::outlines::{Measured, Outline, Random};
 use mindeg::exact::{self, DegreeBound, LowerBound, Reached, degree_of_boundary};
 use mindeg::glam::DVec2;
 use mindeg::verify::{self, Proof};
@@ -14,7 +9,6 @@ use mindeg_exact::Refutation;
 use mindeg_exact::check::CheckedOutline;
 use mindeg_exact::check::refutation::{CheckedFace, refutes};
 use mindeg_mesh::check;
-use outlines::{Measured, Outline, Random};
 use std::collections::BTreeSet;
 
 /// The corners and counts of an outline's sides.
@@ -227,7 +221,7 @@ fn plate(rows: u32, corners: u32) -> Domain {
 /// Windows alone do not meet the mesh.
 #[test]
 fn searches_meet_meshes_that_windows_miss() {
-    let boundary = stars::star(150, 5, 5);
+    let boundary = crate::stars::star(150, 5, 5);
     let answer = degree_of_boundary(&boundary, mindeg_exact::MAX_TRIPLES, Progress::NONE).unwrap();
     assert_eq!(answer.least_max_degree(), Some(5));
     assert!(matches!(answer.reached_by, Reached::Descent | Reached::Search), "{answer:?}");
@@ -337,15 +331,15 @@ fn advance(
         let is_inside = |vertex: u32| {
             let p = at(vertex);
             ![a, b, c].contains(&vertex)
-                && outlines::turn(at(a), at(b), p) >= 0.0
-                && outlines::turn(at(b), at(c), p) >= 0.0
-                && outlines::turn(at(c), at(a), p) >= 0.0
+                && crate::outlines::turn(at(a), at(b), p) >= 0.0
+                && crate::outlines::turn(at(b), at(c), p) >= 0.0
+                && crate::outlines::turn(at(c), at(a), p) >= 0.0
         };
         let crosses = |triangle: &[u32; 3]| {
             let edges = |[a, b, c]: [u32; 3]| [[a, b], [b, c], [c, a]];
             edges(*triangle).into_iter().any(|[p, q]| {
                 edges([a, b, c]).into_iter().any(|[r, s]| {
-                    let turn = |x, y, z| outlines::turn(at(x), at(y), at(z));
+                    let turn = |x, y, z| crate::outlines::turn(at(x), at(y), at(z));
                     ![r, s].contains(&p)
                         && ![r, s].contains(&q)
                         && turn(p, q, r) * turn(p, q, s) < 0.0
@@ -353,7 +347,7 @@ fn advance(
                 })
             })
         };
-        if outlines::turn(at(a), at(b), at(c)) <= 0.0
+        if crate::outlines::turn(at(a), at(b), at(c)) <= 0.0
             || (0..n).any(is_inside)
             || triangles.iter().any(crosses)
         {
@@ -603,7 +597,7 @@ fn limits_that_no_mesh_with_holes_keeps_are_refused_with_the_proof() {
 /// A search whose attention wanders from place to place takes four times as many steps, and states a gap.
 #[test]
 fn a_refutation_with_holes_takes_few_steps() {
-    let boundary = stars::star(250, 2, 6);
+    let boundary = crate::stars::star(250, 2, 6);
     let triangles = mindeg_delaunay::triangles(&boundary, &[], &[], Progress::NONE).unwrap();
     let mut problem = mindeg_exact::Problem::triangulated(&boundary, &triangles).unwrap();
     problem.set_max_steps(14_000_000);
@@ -614,7 +608,7 @@ fn a_refutation_with_holes_takes_few_steps() {
 /// Clauses leave it open after a thousand million steps: its rings are nearly smooth.
 #[test]
 fn one_hole_is_decided_and_the_decision_repeated() {
-    let boundary = stars::star(200, 1, 8);
+    let boundary = crate::stars::star(200, 1, 8);
     let answer = degree_of_boundary(&boundary, mindeg_exact::MAX_TRIPLES, Progress::NONE).unwrap();
     assert_eq!(answer.least_max_degree(), Some(6));
     assert_eq!(answer.bounded_by, DegreeBound::Polygon(LowerBound::Exhaustive));
@@ -628,7 +622,7 @@ fn one_hole_is_decided_and_the_decision_repeated() {
 /// A thousand clauses hold as they are; against a limit that a mesh keeps, none of them with a change does.
 #[test]
 fn long_proofs_hold_and_with_changes_do_not() {
-    let boundary = stars::star(100, 1, 1);
+    let boundary = crate::stars::star(100, 1, 1);
     let answer = degree_of_boundary(&boundary, mindeg_exact::MAX_TRIPLES, Progress::NONE).unwrap();
     let least = answer.least_max_degree().unwrap();
     let DegreeBound::Polygon(LowerBound::Refuted(proof)) = answer.bounded_by else {

@@ -1,7 +1,6 @@
 //! Remeshes of small parts: what they keep, and what is refused.
 
 #![cfg(feature = "interior")]
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use mindeg::glam::DVec3;
 use mindeg::remesh::{PartError, Remesh, remesh};

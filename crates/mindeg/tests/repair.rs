@@ -1,7 +1,6 @@
 //! Repairs of boxes that have one kind of fault each, and of one that has all.
 
 #![cfg(feature = "interior")]
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use mindeg::glam::DVec3;
 use mindeg::remesh::{PartError, Remesh, remesh};

@@ -1,7 +1,5 @@
 //! How many threads there are shows in nothing but the time.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use glam::{DVec2, DVec3};
 use mindeg::TriMesh;
 use mindeg::inspection::{Inspection, InspectionOptions};

@@ -1,19 +1,13 @@
 //! A domain or model that was turned is meshed as the one that was not: rounding moves points off the
 //! lines on which they were, and that must decide nothing.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
-#[path = "../../mindeg-exact/tests/outlines/mod.rs"]
-mod outlines;
-mod solids;
-
 use std::path::Path;
 
+use crate::outlines::{Outline, Random};
+use crate::solids::Solid;
 use mindeg::glam::{DQuat, DVec2, DVec3};
 use mindeg::model::mesh_model;
 use mindeg::{Domain, Goal, Progress, Side, TriMesh, exact, mesh, verify};
-use outlines::{Outline, Random};
-use solids::Solid;
 
 /// Polygons and turns of each: some of the 500 and 20 that `MINDEG_FULL` asks for, which take
 /// minutes.

@@ -1,7 +1,5 @@
 //! `mindeg::verify` against meshes that are right, however they were written, and meshes that are not.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use std::path::Path;
 
 use glam::{DVec2, DVec3};

@@ -1,7 +1,5 @@
 //! Remeshes that are right pass, and each kind of defect is found.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use mindeg::glam::DVec3;
 use mindeg::verify::{self, SurfaceRules, VerifiedSurface};
 use mindeg::{Progress, TriMesh};

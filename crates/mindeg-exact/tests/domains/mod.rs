@@ -1,16 +1,13 @@
 //! Domains with holes to test with, and all triangulations of the small ones, by definition.
 
-#[path = "../outlines/mod.rs"]
-mod outlines;
-
+pub(crate) use crate::outlines::Random;
+use crate::outlines::{on, touch, turn};
 use glam::DVec2;
 use mindeg_exact::check::CheckedOutline;
 use mindeg_exact::check::refutation::CheckedFace;
 use mindeg_exact::{Problem, measure};
 use mindeg_mesh::check;
 use mindeg_mesh::planar::PlanarBoundary;
-pub(crate) use outlines::Random;
-use outlines::{on, touch, turn};
 use std::ops::Range;
 
 /// A domain by its rings, the outer one first, each with the domain on its left.

@@ -1,7 +1,7 @@
 //! Polygons to test with, a plain definition of visibility, and all triangulations of the small
 //! ones.
 
-#![allow(dead_code, reason = "every test file takes what it needs")]
+#![allow(dead_code, reason = "who includes this takes what it needs")]
 
 use glam::DVec2;
 use mindeg_exact::{Problem, measure};

@@ -1,0 +1,9 @@
+//! What the crate offers, tested as its users see it. One program: each more takes a link, and a core idles at its end.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+mod corpus;
+mod exact;
+mod schema;
+mod theory_figures;
+mod writers;

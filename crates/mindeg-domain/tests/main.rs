@@ -1,0 +1,8 @@
+//! What the crate offers, tested as its users see it. One program: each more takes a link, and a core idles at its end.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+mod models;
+mod polygons;
+#[cfg(feature = "json")]
+mod schema;
