@@ -211,7 +211,7 @@ def _json_of(source, options) -> tuple[str, list[tuple[str, str]] | None]:
     path, text = path_or_text(source)
     if path is not None:
         return _outline(path, None, **options), None
-    if isinstance(source, (str, _mindeg._Domain)) or isinstance(source, Mapping) and "type" not in source and text is None:
+    if text is None and is_domain(source):
         if options:
             keys = " and ".join(options)
             raise ValueError(f"{keys} is for points, polygons and files; a domain in JSON has its own keys for that")
@@ -222,14 +222,11 @@ def _json_of(source, options) -> tuple[str, list[tuple[str, str]] | None]:
         options = {"project": "none", **options} if options or text is not None else options
     if text is not None:
         return _outline(None, text, **options), []
-    rings = _rings(source)
-    called = next(iter(rings), "").split("[")[0]
-    if not rings:
-        raise ValueError("the polygon is empty; give at least three points")
-    outer, *holes = [_ring(ring, key) for key, ring in rings.items()]
     if options:
-        text = json.dumps({"type": "Polygon", "coordinates": [outer, *holes]})
+        text, called = polygon_text(source)
         return _outline(None, text, **options, called=called), []
+    rings = _rings(source)
+    outer, *holes = _points_of(rings)
     paths = ["ring", *(f"holes[{index}].ring" for index in range(len(holes)))]
     domain: dict[str, Any] = {"ring": outer, "holes": [{"ring": hole} for hole in holes]}
     return json.dumps(domain if holes else {"ring": outer}), list(zip(paths, rings))
@@ -249,6 +246,11 @@ def path_or_text(source) -> tuple[str | os.PathLike[str] | None, str | None]:
         kind = "dict" if isinstance(source, Mapping) else type(source).__name__
         raise ValueError(f"the {kind} is empty; give at least one polygon")
     return None, json.dumps(geometry, default=plain)
+
+
+def is_domain(source) -> bool:
+    """Whether a source that is no file and has no text is a domain, as an object or in JSON."""
+    return isinstance(source, (str, _mindeg._Domain)) or isinstance(source, Mapping) and "type" not in source
 
 
 def is_in_degrees(source) -> bool:
@@ -290,6 +292,19 @@ def _rings(source) -> dict[str, Any]:
         kind = type(source).__name__
         raise TypeError(f"{kind} is no domain; give points, a polygon, a path or a dict") from None
     return {"points": source} if is_ring else {f"rings[{index}]": ring for index, ring in enumerate(source)}
+
+
+def polygon_text(source) -> tuple[str, str]:
+    """The GeoJSON of a polygon or of arrays, and what messages call it."""
+    rings = _rings(source)
+    points = _points_of(rings)
+    return json.dumps({"type": "Polygon", "coordinates": points}), next(iter(rings)).split("[")[0]
+
+
+def _points_of(rings) -> list[Any]:
+    if not rings:
+        raise ValueError("the polygon is empty; give at least three points")
+    return [_ring(ring, key) for key, ring in rings.items()]
 
 
 def _ring(points, key):

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from . import _mindeg
-from ._domain import Domain, is_in_degrees, path_or_text, reading_of, warn
+from ._domain import Domain, is_domain, is_in_degrees, path_or_text, polygon_text, reading_of, warn
 from ._options import InteriorOptions, MeshOptions, ReadingOptions, as_json, separated, shows_its_options, wish
 
 if TYPE_CHECKING:
@@ -33,7 +33,7 @@ def mesh(
 
     ``source`` is all that ``Domain`` takes, with its options, meshed as ``Domain.mesh`` does with the same options. Besides:
 
-    - polygons that do not hang together, in a file, GeoJSON or a GeoDataFrame, become the regions of one mesh:
+    - polygons that do not hang together, in a file, GeoJSON or a GeoDataFrame, or made by ``repair``, become the regions of one mesh:
       ``groups`` of the mesh, called after the property or column ``name_by``; ``docs/maps.md`` explains maps;
     - a model, whose faces are planar polygons in space, becomes one watertight mesh: the path of an OBJ with faces or of a
       glTF, a ``Mesh``, or a dict with "faces". ``size`` is the length of edges; ``merge_coplanar`` makes neighbouring
@@ -51,6 +51,9 @@ def mesh(
     path, text = path_or_text(source)
     sizes = wanted.get("sizes")
     is_called = callable(sizes) or isinstance(sizes, (list, tuple)) and any(callable(size) for size in sizes)
+    if path is None and text is None and reading.get("repair") and not is_called and not is_domain(source):
+        # One ring can become several polygons.
+        text, reading["called"] = polygon_text(source)
     if path is None and text is None:
         domain = source if isinstance(source, Domain) and not reading else Domain(source, **reading)
         return domain.mesh(interior=interior, preset=preset, **goal, **wanted)

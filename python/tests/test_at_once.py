@@ -75,6 +75,18 @@ def test_polygons_apart_are_one_mesh_with_and_without_points_inside():
         mindeg.mesh(islands, size=0.5, interior=True, fixed_points=[[1, 1]])
 
 
+def test_a_ring_that_crosses_itself_is_one_mesh_of_its_parts():
+    shapely = pytest.importorskip("shapely")
+    bow = [[0, 0], [4, 4], [4, 0], [0, 4]]
+    with pytest.warns(UserWarning, match="made 2 polygons of 1"):
+        meshes = [mindeg.mesh(source, size=1, repair=True) for source in (bow, np.array(bow), shapely.Polygon(bow))]
+    assert [len(mesh.points) for mesh in meshes] == [20] * 3
+    with pytest.raises(ValueError, match='points: no polygon is "3"; give a name, or an index from 1 to 2'):
+        mindeg.mesh(bow, size=1, repair=True, feature=3)
+    with pytest.raises(ValueError, match="repair is for points, polygons and files"):
+        mindeg.mesh(mindeg.rectangle(4, 3, size=1), repair=True)
+
+
 def test_a_model_is_one_watertight_mesh(tmp_path):
     mesh = mindeg.mesh(BRACKET, size=4)
     assert mindeg.inspect(mesh)["boundary_edges"] == 0

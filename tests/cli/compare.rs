@@ -76,6 +76,17 @@ fn every_table_of_a_report_has_the_same_digits() {
 }
 
 #[test]
+fn the_curve_of_a_report_has_the_mesh_with_points_inside() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let report = folder.path().join("report.html");
+    mindeg(["compare", "assets/domains/l-bracket.json", "-o", text(&report)]);
+    let page = fs::read_to_string(report).expect("a report");
+    let (_, curve) = page.split_once("<svg class=\"plot").expect("a curve");
+    let (curve, _) = curve.split_once("</svg>").expect("it ends");
+    assert!(curve.contains("points inside: degree "), "{curve}");
+}
+
+#[test]
 fn many_domains_make_a_folder_with_an_index() {
     let folder = tempfile::tempdir().expect("a folder");
     let bad = folder.path().join("bad.json");

@@ -221,6 +221,7 @@ fn small_curve(report: &Report, trade_off: &TradeOff) -> io::Result<String> {
     let marks = Marks {
         advised: report.advice.patch.map(|patch| patch.max_degree),
         delaunay: delaunay.and_then(|figures| figures.max_degree),
+        inside: report.advice.solver,
         ..Marks::default()
     };
     curve_picture(trade_off, SMALL_CURVE, "small", marks, |_| false)
