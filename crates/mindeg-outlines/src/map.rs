@@ -127,6 +127,7 @@ fn domains(
     division: &Division,
 ) -> Result<(Vec<Domain>, Option<Gap>), OutlineError> {
     let plane = Plane::new(borders, names)?;
+    plane.check_near(points)?;
     let (parts, gap) = parts::parts(&plane, names.len(), points)?;
     let mut own_points = points_of(&parts, points)?.into_iter();
     let mut sides = SideNames { names, known: BTreeMap::new() };

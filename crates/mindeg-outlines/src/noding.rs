@@ -1,4 +1,4 @@
-//! Lines inside polygons that cross each other or a ring get a point there, and so does the ring.
+//! Lines and points inside polygons that meet each other or a ring get a vertex there, and so does the ring.
 
 use std::collections::{BTreeSet, HashSet};
 
@@ -8,11 +8,16 @@ use mindeg_mesh::sorted;
 use super::curve::{PieceCurve, Segment};
 use super::nesting::{Loop, is_in, loops};
 use super::outline::{Border, DrawnInside, Feature, Outlines, Piece, key};
-use super::overlay::crossings::parted;
+use super::overlay::ROUNDING;
+use super::overlay::crossings::{Meetings, parted, with_vertices};
 use super::overlay::edge::Edge;
+use super::overlay::near::near_vertices;
 use super::text::counted;
 use super::vertices::Vertices;
 use crate::error::OutlineError;
+
+/// How often edges are led through near vertices, which may bring them near to others.
+const ROUNDS: usize = 10;
 
 /// The chords of pieces of rings, then of lines, as edges between vertices.
 struct Chords {
@@ -24,10 +29,14 @@ struct Chords {
 }
 
 impl Chords {
-    fn push(&mut self, segment: Segment) {
+    /// The vertices of straight lines may be `near` others; curves keep theirs.
+    fn push(&mut self, segment: Segment, near: bool) {
         let count = segment.intervals_by_turning();
         let at = |i: u32| segment.point(f64::from(i) / f64::from(count));
-        let own: Vec<u32> = (0..=count).map(|i| self.vertices.index(at(i))).collect();
+        let near = near && segment.curve == PieceCurve::Line;
+        let mut index =
+            |at| if near { self.vertices.index_near(at) } else { self.vertices.index(at) };
+        let own: Vec<u32> = (0..=count).map(|i| index(at(i))).collect();
         for pair in own.windows(2) {
             self.edges.push(Edge { ends: [pair[0], pair[1]], chord: self.piece_of.len() as u32 });
             self.piece_of.push(self.pieces);
@@ -50,24 +59,48 @@ impl DrawnInside {
     }
 }
 
+/// Edges that meet at ends only, and how many vertices were added: none passes a vertex nearer than the tolerance, of those that
+/// count for it.
+pub(super) fn noded(
+    mut edges: Vec<Edge>,
+    vertices: &mut Vertices,
+    tolerance: f64,
+    counts: impl Fn(&Edge, u32) -> bool,
+) -> Result<(Vec<Edge>, usize), String> {
+    let mut added = 0;
+    for _ in 0..ROUNDS {
+        let mut near = near_vertices(&edges, &vertices.points, tolerance);
+        near.iter_mut().for_each(|(edge, near)| near.retain(|&it| counts(&edges[*edge], it)));
+        near.retain(|_, near| !near.is_empty());
+        let is_far = near.is_empty();
+        let at = |vertex: u32| vertices.points[vertex as usize];
+        let near = near.into_iter().map(|(edge, near)| (edge, near.into_iter().map(at).collect()));
+        let near: Meetings = near.collect();
+        edges = with_vertices(edges, near, vertices, &mut added);
+        let (next, crossings) = parted(edges, vertices)?;
+        edges = next;
+        added += crossings;
+        if is_far && crossings == 0 {
+            break;
+        }
+    }
+    Ok((edges, added))
+}
+
 impl Outlines {
-    /// Gives lines inside, and rings that they cross, a point where they meet, and drops what lies outside all polygons.
+    /// Gives lines and points inside, and rings that they meet, a vertex there, and drops what lies outside all polygons. What is nearer
+    /// than the tolerance, or than rounding brings it, meets.
     ///
     /// # Errors
     ///
     /// The errors of [`Self::node_inside`].
-    pub(super) fn clip_inside(&mut self) -> Result<(), OutlineError> {
+    pub(super) fn clip_inside(&mut self, tolerance: f64) -> Result<(), OutlineError> {
         if self.inside.is_empty() {
             return Ok(());
         }
-        self.node_inside()?;
-        let before = [self.inside.lines.len(), self.inside.points.len()];
+        let again = self.node_inside(tolerance)?;
+        let before = [self.inside.lines.len() + again, self.inside.points.len()];
         self.inside.keep_within(&self.features);
-        let mut edges = HashSet::new();
-        self.inside.lines.retain(|line| {
-            let Segment { start, end, curve } = line.segment;
-            curve != PieceCurve::Line || edges.insert(sorted([key(start), key(end)]))
-        });
         let DrawnInside { lines, points } = &self.inside;
         let dropped = [before[0] - lines.len(), before[1] - points.len()];
         let [edges, points] = [counted(dropped[0], "edge"), counted(dropped[1], "point")];
@@ -83,35 +116,40 @@ impl Outlines {
         Ok(())
     }
 
-    /// Gives lines inside, and rings that they cross, a point where they meet. Edges that are there twice stay once.
+    /// Gives lines and points inside, and rings that they meet, a vertex there. Edges that are there twice, or along a ring, stay once: the
+    /// number of those that go.
     ///
     /// # Errors
     ///
     /// Edges too many or too near each other to be told apart in some seconds.
-    fn node_inside(&mut self) -> Result<(), OutlineError> {
-        if self.inside.lines.is_empty() {
-            return Ok(());
-        }
+    fn node_inside(&mut self, tolerance: f64) -> Result<usize, OutlineError> {
         let rings = || self.features.iter().flat_map(|feature| &feature.rings);
-        let segments = || {
-            rings()
-                .flat_map(|ring| ring.segments())
-                .chain(self.inside.lines.iter().map(|line| line.segment))
-        };
-        let greatest = segments().map(|it| it.start.abs().max_element()).fold(0.0, f64::max);
+        let of_rings = || rings().flat_map(|ring| ring.segments());
+        let of_lines = || self.inside.lines.iter().map(|line| line.segment);
+        let ends = of_rings().chain(of_lines()).map(|segment| segment.start.abs().max_element());
+        let tolerance = tolerance.max(ROUNDING * ends.fold(0.0, f64::max));
         let mut chords = Chords {
-            vertices: Vertices::new(DVec2::ZERO, f64::EPSILON * greatest),
+            vertices: Vertices::new(DVec2::ZERO, tolerance),
             edges: Vec::new(),
             piece_of: Vec::new(),
             pieces: 0,
         };
-        segments().for_each(|segment| chords.push(segment));
+        of_rings().for_each(|segment| chords.push(segment, false));
+        let (ring_vertices, ring_chords) = (chords.vertices.points.len(), chords.piece_of.len());
+        of_lines().for_each(|segment| chords.push(segment, true));
         let Chords { mut vertices, edges, piece_of, pieces } = chords;
-        let (edges, added) =
-            parted(edges, &mut vertices).map_err(|problem| OutlineError::place("", problem))?;
-        if added == 0 {
-            return Ok(());
+        for point in &mut self.inside.points {
+            let vertex = vertices.index_near(point.at);
+            point.at = vertices.points[vertex as usize];
         }
+        // Rings stay as they are to each other.
+        let counts = |edge: &Edge, vertex: u32| {
+            edge.chord as usize >= ring_chords || vertex as usize >= ring_vertices
+        };
+        let edges: Vec<Edge> =
+            edges.into_iter().filter(|edge| edge.ends[0] != edge.ends[1]).collect();
+        let (edges, added) = noded(edges, &mut vertices, tolerance, counts)
+            .map_err(|problem| OutlineError::place("", problem))?;
         let mut parts: Vec<Vec<[u32; 2]>> = vec![Vec::new(); pieces];
         edges.iter().for_each(|edge| parts[piece_of[edge.chord as usize]].push(edge.ends));
         let mut whole = vec![0; pieces];
@@ -137,16 +175,20 @@ impl Outlines {
             ring.pieces = pieces;
         }
         let mut lines = Vec::with_capacity(self.inside.lines.len());
+        let mut again = 0;
         for (line, (own, whole)) in self.inside.lines.drain(..).zip(next) {
-            if own.len() == whole {
+            if own.len() == whole && line.segment.curve != PieceCurve::Line {
                 let before = known.len();
                 known.extend(own.iter().map(|&ends| sorted(ends)));
+                again += usize::from(known.len() == before);
                 lines.extend((known.len() > before).then_some(line));
                 continue;
             }
-            for (index, &ends) in
-                own.iter().enumerate().filter(|(_, ends)| known.insert(sorted(**ends)))
-            {
+            for (index, &ends) in own.iter().enumerate() {
+                if !known.insert(sorted(ends)) {
+                    again += 1;
+                    continue;
+                }
                 let [start, end] = ends.map(at);
                 lines.push(Border {
                     segment: Segment { start, end, curve: PieceCurve::Line },
@@ -156,11 +198,13 @@ impl Outlines {
             }
         }
         self.inside.lines = lines;
-        self.notes.push(format!(
-            "added {} where lines inside meet others or a ring",
-            counted(added, "point")
-        ));
-        Ok(())
+        if added > 0 {
+            self.notes.push(format!(
+                "added {} where lines or points inside meet others or a ring",
+                counted(added, "point")
+            ));
+        }
+        Ok(again)
     }
 }
 
@@ -190,14 +234,14 @@ mod tests {
         {
             let (lines, points) = places(&repaired.inside);
             assert_eq!(lines, [[[1.0, 1.0], [4.0, 1.0]], [[4.0, 1.0], [8.0, 1.0]]]);
-            assert_eq!(points, [[2.0, 2.0], [4.0, 4.0]]);
-            let note = "dropped 1 edge of lines and 2 points outside the polygons, along their rings or there twice";
+            assert_eq!(points, [[2.0, 2.0], [4.0, 4.0], [4.0, 2.0]]);
+            let note = "dropped 1 edge of lines and 1 point outside the polygons, along their rings or there twice";
             assert!(repaired.notes.iter().any(|said| said == note), "{:?}", repaired.notes);
-            // Both squares have the point where the line crosses their border.
-            let has_point = |feature: &Feature| {
-                feature.rings[0].pieces.iter().any(|piece| piece.start == DVec2::new(4.0, 1.0))
+            // Both squares have the points where the line crosses their border, and where a point lies on it.
+            let has = |feature: &Feature, at: [f64; 2]| {
+                feature.rings[0].pieces.iter().any(|piece| piece.start == DVec2::from(at))
             };
-            assert!(repaired.features.iter().all(has_point));
+            assert!(repaired.features.iter().all(|it| has(it, [4.0, 1.0]) && has(it, [4.0, 2.0])));
         }
     }
 
@@ -205,7 +249,41 @@ mod tests {
     fn a_polygon_has_its_own_lines_and_points() {
         let Outlines { features, mut inside, .. } = given().repaired(None).unwrap();
         inside.keep_within(&features[1..]);
-        assert_eq!(places(&inside), (vec![[[4.0, 1.0], [8.0, 1.0]]], vec![[4.0, 4.0]]));
+        assert_eq!(places(&inside), (vec![[[4.0, 1.0], [8.0, 1.0]]], vec![[4.0, 4.0], [4.0, 2.0]]));
+    }
+
+    /// Rounding parted what lay on a border from it: triangles without an angle, or refusals.
+    #[test]
+    fn what_lies_on_an_oblique_border_becomes_its_vertex() {
+        let squares = "POLYGON((0 0,1 0.1,1.4 1.4,0 2)) POLYGON((1 0.1,3 0,3 2,1.4 1.4))";
+        // A point, an end, a whole edge, a part of one, and a line to a point.
+        let inside = "POINT(1.12 0.49) LINESTRING(1.24 0.88,0.5 0.5) LINESTRING(1 0.1,1.4 1.4) \
+                      LINESTRING(1.4 1.4,1.2 0.75) LINESTRING(0.3 0.3,0.7 0.6) POINT(0.5 0.45)";
+        let read = |wkt: &str| {
+            let alone = |_: &str| Err(std::io::ErrorKind::NotFound.into());
+            read(wkt.as_bytes(), OutlineFormat::Wkt, alone).unwrap()
+        };
+        let given = read(&format!("{squares} {inside}"));
+        for repaired in [
+            given.clone().repaired(None).unwrap(),
+            given.clone().repaired_together(None, None).unwrap(),
+        ] {
+            let (lines, points) = places(&repaired.inside);
+            assert_eq!(points.len(), 2, "{points:?}");
+            assert_eq!(lines.len(), 3, "{lines:?}");
+            let starts = |ring: &crate::outline::DrawnRing| {
+                ring.pieces.iter().map(|piece| piece.start.to_array()).collect::<Vec<_>>()
+            };
+            let [one, other] = [0, 1].map(|at| starts(&repaired.features[at].rings[0]));
+            let shared = one.iter().filter(|at| other.contains(at)).count();
+            assert_eq!((shared, one.len(), other.len()), (5, 7, 7));
+            let ends = lines.iter().flatten().filter(|at| one.contains(at)).count();
+            assert!(one.contains(&points[0]) && ends == 1, "{lines:?} {one:?}");
+            assert!(lines.iter().flatten().filter(|at| **at == points[1]).count() == 2);
+            let note =
+                "dropped 6 edges of lines outside the polygons, along their rings or there twice";
+            assert!(repaired.notes.iter().any(|said| said == note), "{:?}", repaired.notes);
+        }
     }
 
     #[test]

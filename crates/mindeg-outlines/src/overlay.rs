@@ -55,7 +55,7 @@ pub(super) struct Chord<'a> {
 const SIZES: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
 
 /// How near to a vertex a crossing is that vertex, as a share of the greatest coordinate: rounding.
-const ROUNDING: f64 = 32.0 * f64::EPSILON;
+pub(super) const ROUNDING: f64 = 32.0 * f64::EPSILON;
 
 /// How near to a vertex a crossing of these layers is that vertex.
 ///

@@ -83,7 +83,7 @@ impl Outlines {
             }));
             repaired.end_shape();
         }
-        repaired.clip_inside()?;
+        repaired.clip_inside(0.0)?;
         Ok(repaired)
     }
 

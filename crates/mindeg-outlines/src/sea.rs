@@ -78,7 +78,7 @@ impl Outlines {
         let mut sea = Self { inside, kinds, notes, is_geographic, ..Self::default() };
         sea.features.push(Feature { rings, ..Feature::default() });
         sea.end_shape();
-        sea.clip_inside()?;
+        sea.clip_inside(0.0)?;
         Ok(sea)
     }
 }

@@ -139,7 +139,7 @@ pub fn mesh_showing(
     let found = found.map_err(|error| posed.error(error))?;
     let (mesh, report) = in_domain(domain, &posed, found)?;
     let limit = AngleLimit::new(domain, &posed, &report.limits);
-    let report = posed.report(report);
+    let report = posed.report(report, &mesh);
     let sizes = report.sizes.as_ref();
     let coarse_sides = sizes.map(|sizes| coarse::coarse_sides(domain, &sizes.coarse));
     let coarse_sides = coarse_sides.unwrap_or_default();

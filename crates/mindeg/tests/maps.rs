@@ -164,6 +164,25 @@ fn sectors_share_the_degree_limit_of_their_vertex() {
 }
 
 /// Sizes of regions and near lines beside holes.
+/// The engine counts the sectors of a vertex apart: the report told degree 5, proven, of a mesh with a vertex of 6 edges.
+#[test]
+fn the_degree_where_holes_touch_is_that_of_all_sectors() {
+    // Two lines in each sector make them four edges each.
+    let (domain, found) = meshed(
+        r#"{"polygon": {"corners": [[0, 0], [4, 0], [8, 0], [8, 8], [0, 8]]}, "size": 1,
+            "lines": [{"corners": [[4, 0], [5, 3], [3, 3]], "closed": true},
+                      {"corners": [[4, 0], [1, 1]]}, {"corners": [[4, 0], [2, 3]]},
+                      {"corners": [[4, 0], [6, 3]]}, {"corners": [[4, 0], [7, 1]]}],
+            "regions": [{"at": [4, 2], "hole": true}]}"#,
+    );
+    let degrees = found.mesh.degrees();
+    let place = DVec3::new(4.0, 0.0, 0.0);
+    let at = found.mesh.positions().iter().position(|at| *at == place).unwrap();
+    assert!(degrees[at] >= 8, "{}", degrees[at]);
+    assert!(at < domain.rings().vertex_count() as usize);
+    assert!(*found.report.boundary_degree.end() >= degrees[at], "{:?}", found.report);
+}
+
 #[test]
 fn sizes_hold_beside_holes() {
     let counts = |text: &str| {

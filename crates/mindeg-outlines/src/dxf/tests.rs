@@ -275,7 +275,7 @@ fn lines_inside_that_cross_are_noded_by_a_repair() {
     let repaired = drawn.repaired_together(None, None).unwrap();
     let said = repaired.notes.last().cloned().unwrap_or_default();
     // Both lines at their crossing, the border of both regions and the line there, and the outline.
-    assert_eq!(said, "added 6 points where lines inside meet others or a ring");
+    assert_eq!(said, "added 6 points where lines or points inside meet others or a ring");
     let (found, _) = mapped(repaired).unwrap();
     let [map] = &found[..] else { panic!("{found:?}") };
     let first = map.rings().vertex_count();

@@ -163,11 +163,16 @@ fn faces(
     let (mut faces, mut gap) = (Vec::new(), None);
     for ((), steps) in graph.rings(|_| Some(())) {
         let ring = points_of(&steps, &plane.points);
-        let region = steps.iter().find_map(|step| plane.left_of(step));
         // A ring of two steps goes there and back.
         if steps.len() < 3 || !turns_left(&ring) {
             continue;
         }
+        let is_line = |step: &Step| plane.border(step.chord).beside == [None; 2];
+        let region = match steps.iter().all(is_line) {
+            // Lines have no region beside them: they lie inside one.
+            true => plane.regions_around(ring[0].midpoint(ring[1])).first().copied(),
+            false => steps.iter().find_map(|step| plane.left_of(step)),
+        };
         let Some(region) = region else {
             gap = Gap::longer(gap, Gap::of(plane, &steps, &ring));
             continue;

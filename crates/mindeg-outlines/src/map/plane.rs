@@ -1,6 +1,9 @@
 //! Borders as edges between vertices: where they meet, and what is on their sides.
 
+use std::collections::BTreeSet;
+
 use glam::DVec2;
+use mindeg_domain::InnerPoint;
 use mindeg_mesh::planar::orientation;
 
 use super::Border;
@@ -8,9 +11,11 @@ use crate::curve::PieceCurve;
 use crate::error::OutlineError;
 use crate::loops::reversed;
 use crate::outline::{DrawnRing, Piece};
+use crate::overlay::ROUNDING;
 use crate::overlay::crossings::{MOST_COMPARISONS, meeting, meetings};
 use crate::overlay::edge::{Edge, Step};
 use crate::overlay::faces::{Graph, Link, links};
+use crate::overlay::near::near_vertices;
 use crate::text::shown;
 use crate::vertices::Vertices;
 
@@ -135,6 +140,39 @@ impl<'a> Plane<'a> {
                 return Err(OutlineError { is_touch: true, ..OutlineError::place(place, problem) });
             }
             return Err(self.crossing(self.ends(twice)[0], twice, twice));
+        }
+        Ok(())
+    }
+
+    /// Refuses lines and points that lie on an edge, as near as rounding brings them, without a vertex there: no triangle beside it would
+    /// have an area.
+    pub(super) fn check_near(&self, points: &[InnerPoint]) -> Result<(), OutlineError> {
+        let is_line = |chord: u32| self.border(chord).beside == [None; 2];
+        let chords = 0..self.chords.len() as u32;
+        let ends = |chord: u32| self.chords[chord as usize].ends;
+        let of_lines: BTreeSet<u32> =
+            chords.clone().filter(|chord| is_line(*chord)).flat_map(ends).collect();
+        if of_lines.is_empty() && points.is_empty() {
+            return Ok(());
+        }
+        let edges: Vec<Edge> = chords.map(|chord| Edge { ends: ends(chord), chord }).collect();
+        let inner = points.iter().map(|point| point.at);
+        let all: Vec<DVec2> = self.points.iter().copied().chain(inner).collect();
+        let greatest = all.iter().map(|at| at.abs().max_element()).fold(0.0, f64::max);
+        for (edge, near) in near_vertices(&edges, &all, ROUNDING * greatest) {
+            let ends = self.ends(edges[edge].chord);
+            let counts = |vertex: &u32| {
+                let is_point = *vertex as usize >= self.points.len();
+                (is_point || of_lines.contains(vertex) || is_line(edges[edge].chord))
+                    && !ends.contains(&all[*vertex as usize])
+            };
+            if let Some(vertex) = near.into_iter().find(counts) {
+                let [from, to] = ends.map(shown);
+                let problem =
+                    format!("it lies on the edge from {from} to {to}, which has no vertex there");
+                let place = OutlineError::place(shown(all[vertex as usize]), problem);
+                return Err(OutlineError { is_touch: true, ..place });
+            }
         }
         Ok(())
     }

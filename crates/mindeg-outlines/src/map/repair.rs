@@ -12,17 +12,14 @@ use glam::DVec2;
 use crate::curve::norm;
 use crate::error::OutlineError;
 use crate::nesting::{Loop, smallest_around};
+use crate::noding::noded;
 use crate::outline::{Feature, FillRule, Outlines};
-use crate::overlay::crossings::{Meetings, parted, with_vertices};
 use crate::overlay::edge::{Edge, Layer, points_of};
 use crate::overlay::faces::{Graph, links};
-use crate::overlay::near::near_vertices;
 use crate::overlay::{chords, ring, rounding, turns_left};
 use crate::text::{counted, shown};
 use crate::vertices::Vertices;
 
-/// How often edges are led through near vertices, which may bring them near to others.
-const ROUNDS: usize = 10;
 /// So many polygons that are left out are named.
 const NAMED: usize = 5;
 
@@ -78,7 +75,9 @@ impl Outlines {
         }
         let edges = (0..).zip(&chords).map(|(chord, it)| Edge { ends: it.ends, chord });
         let edges = edges.filter(|edge| edge.ends[0] != edge.ends[1]).collect();
-        let edges = noded(edges, &mut vertices, &mut done).map_err(wrong)?;
+        let (edges, added) =
+            noded(edges, &mut vertices, done.tolerance, |_, _| true).map_err(wrong)?;
+        done.added = added;
 
         let (links, changes) = links(&edges, |edge| chords[edge.chord as usize].layer as u32);
         let points = &vertices.points;
@@ -133,7 +132,7 @@ impl Outlines {
             repaired.end_shape();
         }
         repaired.notes.push(done.note(&features));
-        repaired.clip_inside()?;
+        repaired.clip_inside(done.tolerance)?;
         Ok(repaired)
     }
 }
@@ -209,27 +208,4 @@ impl Done {
             said.join("; ")
         )
     }
-}
-
-/// Edges that meet at ends only, and pass no vertex nearer than the tolerance.
-fn noded(
-    mut edges: Vec<Edge>,
-    vertices: &mut Vertices,
-    done: &mut Done,
-) -> Result<Vec<Edge>, String> {
-    for _ in 0..ROUNDS {
-        let near = near_vertices(&edges, &vertices.points, done.tolerance);
-        let is_far = near.is_empty();
-        let at = |vertex: u32| vertices.points[vertex as usize];
-        let near = near.into_iter().map(|(edge, near)| (edge, near.into_iter().map(at).collect()));
-        let near: Meetings = near.collect();
-        edges = with_vertices(edges, near, vertices, &mut done.added);
-        let (next, added) = parted(edges, vertices)?;
-        edges = next;
-        done.added += added;
-        if is_far && added == 0 {
-            break;
-        }
-    }
-    Ok(edges)
 }

@@ -379,3 +379,42 @@ fn points_belong_to_the_island_that_they_are_on() {
     let counts = |map: &Domain| (map.inside().points.len(), map.inside().lines.len());
     assert!(maps.iter().map(counts).eq([(1, 0), (2, 1)]));
 }
+
+/// A ring of lines took the region's name from what it encloses.
+#[test]
+fn what_lines_enclose_has_the_name_of_its_region() {
+    let squares = "POLYGON((0 0,4 0,4 4,0 4)) POLYGON((4 0,8 0,8 4,4 4))";
+    let closed = "LINESTRING(1 1,3 1,3 3,1 3,1 1)";
+    let at_a_border = "LINESTRING(4 4,3 3,2 3.5,4 4)";
+    for line in [closed, at_a_border] {
+        let outlines = outlines(&format!("{squares} {line}"));
+        let polygons = labelled(outlines.features);
+        let (maps, notes) = maps(&polygons, &outlines.inside, &Division::default(), false).unwrap();
+        let names: Vec<_> = maps[0].inside().regions.iter().map(|own| own.name.clone()).collect();
+        assert_eq!(
+            names,
+            ["polygon 1", "polygon 1", "polygon 2"].map(|name| Some(name.to_owned())),
+            "{notes:?}"
+        );
+    }
+}
+
+/// The point made triangles without an angle where rounding parts it from the border, and was told to lie outside where it does not.
+#[test]
+fn what_lies_on_a_border_without_a_vertex_is_refused_with_the_place() {
+    let squares = "POLYGON((0 0,1 0.1,1.4 1.4,0 2)) POLYGON((1 0.1,3 0,3 2,1.4 1.4))";
+    let edge = "lies on the edge from (";
+    // The end of the last line is on the border, bit for bit.
+    for (inside, words) in [
+        ("POINT(1.12 0.49)", edge),
+        ("POINT(0 1)", edge),
+        ("LINESTRING(1.12 0.49,0.5 0.5)", "has no"),
+        ("LINESTRING(1.24 0.88,0.5 0.5)", "one of them has no point there"),
+    ] {
+        let outlines = outlines(&format!("{squares} {inside}"));
+        let polygons = labelled(outlines.features);
+        let error = maps(&polygons, &outlines.inside, &Division::default(), false).unwrap_err();
+        assert!(error.is_touch, "{error}");
+        assert!(error.to_string().contains(words), "{error}");
+    }
+}

@@ -1,6 +1,7 @@
 //! The input of the engine of interior points, from a domain; and its output, as that of the domain.
 
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 use mindeg_domain::{Domain, Interior, Periodic, Region, Size, SizeAt};
@@ -8,6 +9,7 @@ use mindeg_interior::{
     Generated, InteriorError, InteriorReport, JoinedVertices, Options, check_coordinates,
     size_of_area,
 };
+use mindeg_mesh::TriMesh;
 use mindeg_mesh::planar::{Border, PlanarBoundary};
 
 /// The boundary of a domain for the engine: around regions that are holes.
@@ -16,6 +18,7 @@ pub(super) struct Posed<'a> {
     pub(super) whole: Cow<'a, PlanarBoundary>,
     /// The border, if a region is a hole.
     border: Option<Border>,
+    is_periodic: bool,
 }
 
 impl<'a> Posed<'a> {
@@ -23,7 +26,7 @@ impl<'a> Posed<'a> {
     pub(super) fn new(domain: &'a Domain) -> Result<Self, InteriorError> {
         let whole = domain.boundary()?;
         check_coordinates(&whole)?;
-        Ok(Self { whole, border: domain.border() })
+        Ok(Self { whole, border: domain.border(), is_periodic: domain.periodic().is_some() })
     }
 
     pub(super) fn boundary(&self) -> &PlanarBoundary {
@@ -190,12 +193,32 @@ impl<'a> Posed<'a> {
         }
     }
 
-    /// A report of the engine with the vertices and edges of the domain.
-    pub(super) fn report(&self, report: InteriorReport) -> InteriorReport {
-        match self.border {
-            Some(_) => report.renamed(|vertex| self.vertex(vertex), |edge| self.edge(edge)),
-            None => report,
+    /// A report of the engine with the vertices and edges of the domain, and the degrees of its `mesh`.
+    pub(super) fn report(&self, report: InteriorReport, mesh: &TriMesh) -> InteriorReport {
+        if self.border.is_none() {
+            return report;
         }
+        let mut report = report.renamed(|vertex| self.vertex(vertex), |edge| self.edge(edge));
+        let boundary = self.boundary();
+        let touches = |vertex: &u32| boundary.twins(*vertex).next().is_some();
+        let on_rings = 0..boundary.vertex_count();
+        let touching: BTreeSet<u32> =
+            on_rings.clone().filter(touches).map(|vertex| self.vertex(vertex)).collect();
+        // The engine counts sector by sector. Periodic sides are joined already.
+        if !touching.is_empty() && !self.is_periodic {
+            let degrees = mesh.degrees();
+            let all = on_rings.map(|vertex| degrees[self.vertex(vertex) as usize]);
+            let (least, most) =
+                all.fold((u32::MAX, 0), |(low, high), own| (low.min(own), high.max(own)));
+            report.boundary_degree = least..=most;
+            for violation in
+                report.violations.iter_mut().filter(|own| touching.contains(&own.vertex))
+            {
+                violation.degree = degrees[violation.vertex as usize];
+            }
+            report.violations.dedup_by_key(|violation| violation.vertex);
+        }
+        report
     }
 
     /// An error of the engine with the vertices of the domain.
