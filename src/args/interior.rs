@@ -25,7 +25,7 @@ pub(crate) struct InteriorArguments {
     #[arg(long, conflicts_with = "interior")]
     pub(crate) no_interior: bool,
 
-    /// Sizes between points: ESRI's .asc, classic NetCDF, NPZ with values, origin, spacing, .npy with rows of x, y, value, MSH
+    /// Sizes between points: ESRI's .asc, classic NetCDF, NPZ with values, origin, spacing, .npy of a grid's x, y, value, MSH
     /// or VTU with data at points. May be repeated; the least holds
     #[arg(long, value_name = "FILE")]
     pub(crate) sizes: Vec<PathBuf>,

@@ -218,7 +218,7 @@ fn a_domain_file_says_what_is_wanted_inside() {
     let coarse = vertices(&run(r#"{"size_inside": 0.1}"#, &["--size-inside", "1"]));
     assert!(coarse < plain, "{coarse} {plain}");
     for (interior, words) in [
-        (r#"{"sizes": [[9, 1, 0.1]]}"#, "size 0 at (9, 1) is not inside the domain"),
+        (r#"{"sizes": [[9, 1, 0.1]]}"#, "entry 1 of sizes at (9, 1) is not inside the domain"),
         (
             r#"{"fixed": {"points": [[1, 1]]}}"#,
             "interior.fixed: \"fixed\" is now \"lines\" and \"points\" of the domain",

@@ -244,16 +244,22 @@ impl PolygonFile {
                 "{} has no polygon with an area; draw it in another program to see what is wrong",
                 self.file
             ))),
-            polygons => match self.maps().map(|found| found.0).as_deref() {
-                Ok([map]) => Ok(map.clone()),
-                _ => Err(FileError::wrong(format!(
-                    "{} has {} polygons; choose one with {}feature, by its name or index: {}",
-                    self.file,
-                    polygons.len(),
+            polygons => {
+                let choose = format!(
+                    "choose one with {}feature, by its name or index: {}",
                     self.dashes,
                     Listed(polygons)
-                ))),
-            },
+                );
+                match self.maps().map(|found| found.0).as_deref() {
+                    Ok([map]) => Ok(map.clone()),
+                    Ok(_) => Err(FileError::wrong(format!(
+                        "{} has {} polygons; {choose}",
+                        self.file,
+                        polygons.len(),
+                    ))),
+                    Err(error) => Err(FileError::wrong(format!("{error}; or {choose}"))),
+                }
+            }
         }
     }
 }

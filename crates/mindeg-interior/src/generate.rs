@@ -351,7 +351,7 @@ pub(crate) fn size_field(
         if nearest.is_some_and(|(edge, distance)| {
             distance > 1e-9 * place.size && !is_inside_of(outline, edge, place.at)
         }) {
-            let what = format!("size {index}");
+            let what = format!("entry {} of sizes", index + 1);
             return Err(InteriorError::Outside { what, at: place.at.to_array() });
         }
     }

@@ -307,7 +307,7 @@ impl Options {
                 }
             };
             if let Some(place) = places.iter().find(|place| !is_usable(place.at)) {
-                let what = format!("size {index}");
+                let what = format!("entry {} of sizes", index + 1);
                 return Err(InteriorError::Outside { what, at: place.at.to_array() });
             }
         }

@@ -279,7 +279,10 @@ fn bad_options_are_refused_with_what_to_do() {
         (Interior { size_inside: Some(0.0), ..default() }, "the size inside is 0;"),
         (Interior { size_inside: Some(-1.0), ..default() }, "the size inside is -1;"),
         (Interior { sizes: place(1.0, 0.0), ..default() }, "size 0 is 0;"),
-        (Interior { sizes: place(9.0, 1.0), ..default() }, "size 0 at (9, 1) is not inside"),
+        (
+            Interior { sizes: place(9.0, 1.0), ..default() },
+            "entry 1 of sizes at (9, 1) is not inside",
+        ),
         (Interior { interior_degree: Some(7..=9), ..default() }, "7 to 9"),
         (Interior { boundary_degree: Some(3), ..default() }, "boundary degree of 3"),
         (Interior { boundary_corners: Some(1), ..default() }, "give 2 or 3"),

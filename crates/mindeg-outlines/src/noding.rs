@@ -88,8 +88,8 @@ pub(super) fn noded(
 }
 
 impl Outlines {
-    /// Gives lines and points inside, and rings that they meet, a vertex there, and drops what lies outside all polygons. What is nearer
-    /// than the tolerance, or than rounding brings it, meets.
+    /// Gives lines and points inside, and rings that they meet, a vertex there, and drops what lies outside all polygons. Lines nearer
+    /// than the tolerance meet, and points as near as rounding brings them.
     ///
     /// # Errors
     ///
@@ -127,7 +127,9 @@ impl Outlines {
         let of_rings = || rings().flat_map(|ring| ring.segments());
         let of_lines = || self.inside.lines.iter().map(|line| line.segment);
         let ends = of_rings().chain(of_lines()).map(|segment| segment.start.abs().max_element());
-        let tolerance = tolerance.max(ROUNDING * ends.fold(0.0, f64::max));
+        let rounding = ROUNDING * ends.fold(0.0, f64::max);
+        let tolerance = tolerance.max(rounding);
+        let wrong = |problem| OutlineError::place("", problem);
         let mut chords = Chords {
             vertices: Vertices::new(DVec2::ZERO, tolerance),
             edges: Vec::new(),
@@ -138,18 +140,29 @@ impl Outlines {
         let (ring_vertices, ring_chords) = (chords.vertices.points.len(), chords.piece_of.len());
         of_lines().for_each(|segment| chords.push(segment, true));
         let Chords { mut vertices, edges, piece_of, pieces } = chords;
-        for point in &mut self.inside.points {
-            let vertex = vertices.index_near(point.at);
-            point.at = vertices.points[vertex as usize];
-        }
         // Rings stay as they are to each other.
         let counts = |edge: &Edge, vertex: u32| {
             edge.chord as usize >= ring_chords || vertex as usize >= ring_vertices
         };
         let edges: Vec<Edge> =
             edges.into_iter().filter(|edge| edge.ends[0] != edge.ends[1]).collect();
-        let (edges, added) = noded(edges, &mut vertices, tolerance, counts)
-            .map_err(|problem| OutlineError::place("", problem))?;
+        let (mut edges, mut added) =
+            noded(edges, &mut vertices, tolerance, counts).map_err(wrong)?;
+        // Points stay where they are, and bend no edge: those alone count that lie on one.
+        if !self.inside.points.is_empty() {
+            let mut with_points = Vertices::new(DVec2::ZERO, rounding);
+            for &vertex in &vertices.points {
+                with_points.index(vertex);
+            }
+            let before = with_points.points.len() as u32;
+            for point in &mut self.inside.points {
+                let vertex = with_points.index_near(point.at);
+                point.at = with_points.points[vertex as usize];
+            }
+            let is_point = |_: &Edge, vertex: u32| vertex >= before;
+            let (next, more) = noded(edges, &mut with_points, rounding, is_point).map_err(wrong)?;
+            (edges, added, vertices) = (next, added + more, with_points);
+        }
         let mut parts: Vec<Vec<[u32; 2]>> = vec![Vec::new(); pieces];
         edges.iter().for_each(|edge| parts[piece_of[edge.chord as usize]].push(edge.ends));
         let mut whole = vec![0; pieces];
@@ -283,6 +296,26 @@ mod tests {
             let note =
                 "dropped 6 edges of lines outside the polygons, along their rings or there twice";
             assert!(repaired.notes.iter().any(|said| said == note), "{:?}", repaired.notes);
+        }
+    }
+
+    #[test]
+    fn a_tolerance_joins_ends_of_lines_and_moves_no_point() {
+        let alone = |_: &str| Err(std::io::ErrorKind::NotFound.into());
+        let wkt = "POLYGON((0 0,4 0,4 4,0 4)) POLYGON((4 0,8 0,8 4,4 4)) \
+                   LINESTRING(1 1,3.95 1.5) POINT(3.95 3)";
+        let given = read(wkt.as_bytes(), OutlineFormat::Wkt, alone).unwrap();
+        let repaired = given.repaired_together(None, Some(0.1)).unwrap();
+        let (lines, points) = places(&repaired.inside);
+        assert_eq!(
+            (&lines[..], &points[..]),
+            (&[[[1.0, 1.0], [3.95, 1.5]]][..], &[[3.95, 3.0]][..])
+        );
+        // Both borders go through the end of the line.
+        for feature in &repaired.features {
+            let mut starts = feature.rings[0].pieces.iter().map(|piece| piece.start);
+            assert!(starts.clone().any(|at| at == DVec2::new(3.95, 1.5)));
+            assert!(!starts.any(|at| at == DVec2::new(3.95, 3.0)));
         }
     }
 
