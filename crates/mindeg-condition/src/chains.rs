@@ -13,6 +13,9 @@ use std::collections::{BTreeMap, BTreeSet};
 /// No vertex: before the first one of an open line, and after the last.
 pub(crate) const NONE: u32 = u32::MAX;
 
+/// An edge is long that has so many times the mean length.
+const LONG: f64 = 4.0;
+
 /// A point, linked with those before and after it on its chain.
 pub(crate) struct Vertex {
     pub(crate) point: Point,
@@ -50,8 +53,8 @@ pub(crate) struct Chains {
     marks: Vec<DVec2>,
     marked: Grid,
     pub(crate) changes: Vec<BoundaryChange>,
-    /// No edge is longer, once points are moved.
-    pub(crate) longest: f64,
+    /// Longer edges are in the grid at every such length too, once points are moved; infinite before.
+    pub(crate) spacing: f64,
     /// How far points were moved at most.
     pub(crate) shifted: f64,
 }
@@ -133,7 +136,7 @@ impl Chains {
             least_triangles,
             marks,
             changes: Vec::new(),
-            longest: 0.0,
+            spacing: f64::INFINITY,
             shifted: 0.0,
         };
         chains.meet();
@@ -366,7 +369,25 @@ impl Chains {
         });
         self.vertices[next as usize].previous = new;
         self.grid.insert(new, at);
+        self.put_along(new);
         new
+    }
+
+    /// From here on the grid finds edges where they pass, not only at their first points.
+    pub(crate) fn put_edges(&mut self) {
+        let edges: Vec<u32> = self.edges().collect();
+        let mean = edges.iter().map(|edge| self.length(*edge)).sum::<f64>() / edges.len() as f64;
+        self.spacing = LONG * mean;
+        edges.into_iter().for_each(|edge| self.put_along(edge));
+    }
+
+    /// Puts a long edge into the grid where it passes.
+    pub(crate) fn put_along(&mut self, edge: u32) {
+        let ends = [edge, self.next(edge)].map(|v| self.at(v));
+        let parts = (ends[0].distance(ends[1]) / self.spacing).ceil();
+        for part in 1..parts as u32 {
+            self.grid.insert(edge, ends[0].lerp(ends[1], f64::from(part) / parts));
+        }
     }
 
     /// Whether the point of a vertex stays.

@@ -132,6 +132,7 @@ impl Chains {
         before.dropped.extend(after);
         self.vertices[w as usize].previous = u;
         self.changes.push(BoundaryChange::of_edge(ChangeKind::Dropped, at, why, edge));
+        self.put_along(u);
         [u, w]
     }
 }

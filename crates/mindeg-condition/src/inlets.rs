@@ -73,7 +73,7 @@ impl Chains {
         demands: &BoundaryDemands,
         rounds: usize,
     ) -> Result<Vec<Left>, ConditionError> {
-        self.longest = self.edges().map(|edge| self.length(edge)).fold(0.0, f64::max);
+        self.put_edges();
         let (mut is_changed, mut in_vain) = (true, BTreeSet::new());
         let mut meshes = MOST_IN_ALL + self.vertices.len() / VERTICES;
         let mut known = BTreeMap::new();
@@ -156,7 +156,8 @@ impl Chains {
             return small(all);
         }
         let doubtful = map_all(all.collect(), |shores: Shores| {
-            (angle_of(self, &shores, None) < wanted + MARGIN).then_some(shores)
+            let enough = wanted + MARGIN;
+            (angle_of(self, &shores, None, enough) < enough).then_some(shores)
         });
         let found = small(doubtful.into_iter().flatten().collect());
         if !found.is_empty() || demands.size.is_none() || whole.boundary.edge_count() > MOST_MESHED
@@ -267,14 +268,14 @@ impl Chains {
         if self.least_triangles > 1 {
             return Vec::new();
         }
-        let least = (angle_of(self, shores, None) + WORTH).min(goal);
+        let least = (angle_of(self, shores, None, goal) + WORTH).min(goal);
         let mut steps: Vec<(f64, f64, Step)> = Vec::new();
         for step in self.steps(shores.iter().flatten(), demands) {
             let Some(moved) = self.moved_by(step, demands).filter(|_| !is_at_end(step, shores))
             else {
                 continue;
             };
-            let reached = angle_of(self, shores, Some(step));
+            let reached = angle_of(self, shores, Some(step), goal);
             if reached >= least {
                 steps.push((reached.min(goal), moved, step));
             }

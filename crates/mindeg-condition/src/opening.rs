@@ -22,7 +22,7 @@ impl Chains {
     /// Moves the shores of narrow water apart, where there is a size.
     pub(crate) fn open_narrow(&mut self, demands: &BoundaryDemands) {
         let Some(size) = demands.size.filter(|_| demands.within > 0.0) else { return };
-        self.longest = self.edges().map(|edge| self.length(edge)).fold(0.0, f64::max);
+        self.put_edges();
         for _ in 0..ROUNDS {
             let mut is_changed = false;
             for (vertex, by) in self.too_near(NARROW * size) {

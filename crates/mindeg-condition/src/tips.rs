@@ -59,6 +59,7 @@ impl Chains {
                 self.vertices[first as usize].dropped.push(at);
                 self.vertices[first as usize].dropped.extend(dropped);
                 self.vertices[second as usize].previous = first;
+                self.put_along(first);
                 let edge = self.vertices[tip as usize].point.edge;
                 self.changes.push(BoundaryChange::of_edge(ChangeKind::Cut, at, Why::Limit, edge));
                 return;

@@ -63,10 +63,11 @@ pub(crate) fn cut_off(angle: f64, [first, second]: [f64; 2]) -> ([f64; 2], f64) 
 }
 
 /// No triangle on an edge, with the fans that it leaves at both of the edge's ends, has a greater minimum angle, in degrees. `angles` are those
-/// at the ends between the edge and the next edges, in radians, `next` the lengths of these.
+/// at the ends between the edge and the next edges, in radians, `next` the lengths of these. A limit of `enough` degrees or more is not searched for.
 #[must_use]
-pub fn edge_limit(angles: [f64; 2], length: f64, next: [f64; 2]) -> f64 {
-    Place { angles, length, next }.limit(PI / 3.0) * (180.0 / PI)
+pub fn edge_limit(angles: [f64; 2], length: f64, next: [f64; 2], enough: f64) -> f64 {
+    let known = (enough * (PI / 180.0) / TIGHTER).min(PI / 3.0);
+    Place { angles, length, next }.limit(known) * (180.0 / PI)
 }
 
 impl Place {

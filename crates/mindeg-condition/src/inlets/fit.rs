@@ -6,9 +6,15 @@ use crate::stars::angle_to;
 use glam::DVec2;
 use mindeg_interior::{edge_limit, least_angle};
 
-/// The greatest minimum angle of the triangles between shores after a change, closed at their mouths, and of what lies outside beside these, in degrees.
-pub(super) fn angle_of(chains: &Chains, shores: &[Vec<u32>], step: Option<Step>) -> f64 {
-    Water::new(chains, shores, step).best()
+/// The greatest minimum angle of the triangles between shores after a change, closed at their mouths, and of what lies outside beside these, in degrees; if it is
+/// `enough`, that or more.
+pub(super) fn angle_of(
+    chains: &Chains,
+    shores: &[Vec<u32>],
+    step: Option<Step>,
+    enough: f64,
+) -> f64 {
+    Water::new(chains, shores, step).best(enough)
 }
 
 /// The points of shores, and those before and after each on its ring.
@@ -39,16 +45,17 @@ impl Water {
         }
     }
 
-    /// The greatest minimum angle.
-    fn best(&self) -> f64 {
+    /// The greatest minimum angle; if it is `enough`, that or more.
+    fn best(&self, enough: f64) -> f64 {
         let points: Vec<DVec2> = self.shores.concat();
         let last = points.len() - 1;
-        best_angles(&points)[0][last].min(self.outside())
+        let inside = best_angles(&points)[0][last];
+        inside.min(self.outside(inside.min(enough)))
     }
 
-    /// The least limit outside at the mouths, from the fans at their ends.
-    fn outside(&self) -> f64 {
-        let mut least = 60.0_f64;
+    /// The least limit outside at the mouths, from the fans at their ends, or `enough` if that is less.
+    fn outside(&self, enough: f64) -> f64 {
+        let mut least = enough;
         for (index, this) in self.shores.iter().enumerate() {
             // From the end of this shore to the start of the next, counter-clockwise round what is between.
             let after = (index + 1) % self.shores.len();
@@ -61,7 +68,7 @@ impl Water {
             let [before, beyond] = [self.beyond[after][0], self.beyond[index][1]];
             let angles = [fan(a, b, before), fan(b, beyond, a)];
             let lengths = [a.distance(before), b.distance(beyond)];
-            least = least.min(edge_limit(angles, a.distance(b), lengths));
+            least = least.min(edge_limit(angles, a.distance(b), lengths, least));
         }
         least
     }

@@ -51,9 +51,8 @@ impl Chains {
         }
         // An edge may pass through without a point there.
         let all = [at, to, corners[0][0], corners[1][0]];
-        let longest = self.longest;
-        let low = all.into_iter().fold(DVec2::INFINITY, DVec2::min) - longest;
-        let high = all.into_iter().fold(DVec2::NEG_INFINITY, DVec2::max) + longest;
+        let low = all.into_iter().fold(DVec2::INFINITY, DVec2::min) - self.spacing;
+        let high = all.into_iter().fold(DVec2::NEG_INFINITY, DVec2::max) + self.spacing;
         !self.grid.any_near([low, high], |edge| {
             self.is_edge(edge)
                 && edge != vertex
@@ -66,6 +65,12 @@ impl Chains {
     fn is_in_the_way(&self, edge: u32, [first, at, to]: [DVec2; 3], places: [u32; 3]) -> bool {
         let ends = [edge, self.next(edge)];
         let points = ends.map(|v| self.at(v));
+        // Edges of one line cross only where they are.
+        let (low, high) = (first.min(at).min(to), first.max(at).max(to));
+        let [a, b] = points;
+        if (a.max(b).cmplt(low) | a.min(b).cmpgt(high)).any() {
+            return false;
+        }
         let touching = ends.iter().position(|v| places.contains(&self.place(*v)));
         if let Some(own) = touching.filter(|own| points[*own] == first) {
             // Towards the far side of the triangle.
@@ -100,7 +105,6 @@ impl Chains {
         own.point.at = to;
         own.point.of = None;
         self.grid.insert(vertex, to);
-        let longest = self.length(before).max(self.length(vertex));
-        self.longest = self.longest.max(longest);
+        [before, vertex].into_iter().for_each(|edge| self.put_along(edge));
     }
 }
