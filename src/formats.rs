@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::standard_output::print;
 use crate::terminal;
 use mindeg_answers::preset::PRESETS;
-use mindeg_files::{Format, OutlineFormat};
+use mindeg_files::{Format, OutlineFormat, WriteOptions, Writer};
 
 pub(crate) fn run() -> Result<(), Failure> {
     let dotted = |extensions: &[&str]| {
@@ -16,7 +16,10 @@ pub(crate) fn run() -> Result<(), Failure> {
     let mut text = String::from("Meshes, by the name that --format takes\n");
     for format in Format::WRITTEN {
         let way = if Format::READ.contains(&format) { "in, out" } else { "out" };
-        text += &row(format.name(), format.extensions(), way, format.description());
+        let is_built = Writer::check_size(format, &WriteOptions::default(), 3, 1).is_ok();
+        let missing = if is_built { "" } else { "; not in this build" };
+        let what = format!("{}{missing}", format.description());
+        text += &row(format.name(), format.extensions(), way, &what);
     }
     text += "\nOutlines, which become domains\n";
     text += &row("", &["json"], "in, out", "a domain or a model, which mindeg schema describes");

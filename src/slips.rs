@@ -124,6 +124,9 @@ fn renamed(command: &str, option: &str) -> Option<String> {
     if option == "--open" {
         return has(command, "--show").then(|| "--show shows the mesh in a browser".to_owned());
     }
+    if option == "--interior" {
+        return inside_anyway(command);
+    }
     let renamed = RENAMED.iter().find(|(old, _)| *old == option);
     let today = renamed.map_or(option, |&(_, new)| new);
     if command == "condition" && today == "--target-angle" {
@@ -138,6 +141,17 @@ fn renamed(command: &str, option: &str) -> Option<String> {
     let takers: Vec<&str> = names.filter(|name| has(name, today)).collect();
     let takers = takers.join(", ");
     Some(format!("{option} is now {today}, which {command} does not take; these do: {takers}"))
+}
+
+/// `tradeoff plate.json --interior`, where points inside need no option.
+fn inside_anyway(command: &str) -> Option<String> {
+    let why = match command {
+        "tradeoff" => "the report of tradeoff has the mesh with points inside anyway",
+        "explore" => "the page of explore has the mesh with points inside anyway",
+        "verify" => "verify takes any mesh of the domain, with points inside or without",
+        _ => return None,
+    };
+    Some(format!("leave out --interior: {why}"))
 }
 
 /// Whether a command has the option.

@@ -229,3 +229,11 @@ fn the_list_of_formats_fits_a_screen() {
     let next = lines().nth(first + 1).expect("a line");
     assert!(next.starts_with("          ") && next.trim_start().len() > 9, "{next}");
 }
+
+#[test]
+fn a_format_that_is_not_built_is_listed_as_such() {
+    let run = mindeg(["formats"]);
+    let words = run.text().split_whitespace().collect::<Vec<_>>().join(" ");
+    let is_missing = words.contains("a picture in pixels; not in this build");
+    assert_eq!(is_missing, !cfg!(feature = "png"), "{}", run.text());
+}
