@@ -269,6 +269,28 @@ fn a_polygon_that_is_no_domain_does_not_keep_the_others_from_it() {
     assert_eq!(names_in(&out), ["polygon-2.obj"]);
 }
 
+/// What edges of a size cut off is no fault of the outline, which a repair would mend.
+#[test]
+fn edges_of_a_size_that_cross_are_told_with_what_helps() {
+    let coast = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/outlines/saronic.geojson");
+    let told = |size: &str| {
+        let words =
+            ["mesh", coast, "--size", size, "--project", "auto", "-o", "-", "--format", "obj"];
+        let run = mindeg(words);
+        assert_eq!(run.code, Some(2), "{run:?}");
+        run.errors
+    };
+    let errors = told("5000");
+    assert!(errors.contains("--condition keeps edges of this size apart"), "{errors}");
+    assert!(!errors.contains("--repair"), "{errors}");
+    // Here the outline itself crosses.
+    let bow = folder(&[("bow.wkt", "POLYGON((0 0,4 4,4 0,0 4))")]);
+    let bow = bow.path().join("bow.wkt");
+    let bow = bow.to_str().expect("a path");
+    let run = mindeg(["mesh", bow, "--size", "1", "-o", "-", "--format", "obj"]);
+    assert!(run.errors.contains("--repair mends such places"), "{run:?}");
+}
+
 #[test]
 fn rings_that_touch_themselves_are_refused_or_repaired() {
     let wkt = "POLYGON((0 0,2 1,4 0,4 2,2 1,0 2,0 2))";
