@@ -383,6 +383,20 @@ fn the_page_has_the_command_of_every_mesh() {
     }
 }
 
+/// The mesh with points inside, which comes first on the page, has degrees that no other has.
+#[test]
+fn the_legend_has_the_degrees_of_all_meshes_on_the_page() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let domain = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/domains/plate-with-holes.json");
+    let page = folder.path().join("curve.html");
+    let run = mindeg(["tradeoff", domain, "-q", "-o", text(&page)]);
+    assert_eq!(run.code, Some(0), "{run:?}");
+    let page = fs::read_to_string(&page).expect("the page");
+    let (_, legend) = page.split_once("<div class=\"legend\">degree ").expect("a legend");
+    let (legend, _) = legend.split_once("</div>").expect("its end");
+    assert!(legend.contains("</span>6</span>") && legend.contains("</span>7</span>"), "{legend}");
+}
+
 /// The mesh of the fewest edges is the one that the table has at its degree, where searches and windows find it.
 #[test]
 fn the_fewest_edges_of_a_domain_with_holes_are_the_first_row() {

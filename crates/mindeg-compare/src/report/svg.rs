@@ -13,6 +13,7 @@ use mindeg::exact::TradeOff;
 use mindeg::{Bounds, Mesh};
 use mindeg_formats::svg::Inset;
 use mindeg_formats::{WriteError, degree_color};
+use mindeg_mesh::{TriMesh, Triangles};
 use serde::Serialize;
 use std::io;
 
@@ -77,9 +78,11 @@ pub(super) struct DegreeColor {
     pub(super) name: String,
 }
 
-/// The colors of the vertices' degrees in the meshes, from the lowest.
-pub(super) fn degree_legend(trade_off: &TradeOff) -> Vec<DegreeColor> {
-    let top = trade_off.meshes().iter().map(|exact| exact.mesh.max_degree()).fold(0, u32::max);
+/// The colors of the vertices' degrees in the meshes, from the lowest; also of those with points `inside`, if such a mesh is
+/// shown.
+pub(super) fn degree_legend(trade_off: &TradeOff, inside: Option<&TriMesh>) -> Vec<DegreeColor> {
+    let meshes = trade_off.meshes().iter().map(|exact| exact.mesh.max_degree());
+    let top = meshes.chain(inside.map(TriMesh::max_degree)).fold(0, u32::max);
     let degrees = degree_color::DISTINCT.filter(|&degree| degree <= top);
     let entry = |degree| {
         let stands_for_more = degree == *degree_color::DISTINCT.end() && degree < top;

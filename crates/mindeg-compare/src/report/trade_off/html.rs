@@ -174,7 +174,7 @@ pub fn write_trade_off_html(
         curve: curve_picture(trade_off, WIDE_CURVE, "wide", marks, is_shown)?
             + &curve_picture(trade_off, SMALL_CURVE, "narrow", marks, is_shown)?,
         chosen,
-        legend: svg::degree_legend(trade_off),
+        legend: svg::degree_legend(trade_off, inside),
         size: DVec2::new(MESH.x, inset.size().y + 2.0 * MARGIN).round(),
         stretch: inset.stretch(),
         figures,

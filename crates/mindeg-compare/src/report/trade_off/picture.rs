@@ -127,10 +127,12 @@ pub fn write_trade_off_svg(trade_off: &TradeOff, mut out: impl Write) -> io::Res
         })
     };
     let legend =
-        svg::degree_legend(trade_off).into_iter().enumerate().map(|(place, degree)| LegendEntry {
-            x: MARGIN + 62.0 + 44.0 * place as f64,
-            color: degree.color,
-            name: degree.name,
+        svg::degree_legend(trade_off, None).into_iter().enumerate().map(|(place, degree)| {
+            LegendEntry {
+                x: MARGIN + 62.0 + 44.0 * place as f64,
+                color: degree.color,
+                name: degree.name,
+            }
         });
     let curve_space = Bounds {
         min: DVec2::new(MARGIN, PLOT_TOP),
