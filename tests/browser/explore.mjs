@@ -286,6 +286,19 @@ test("a file that is started with or dropped is repaired, named after its stem, 
     await started.waitForFunction(() => document.querySelectorAll("#solid-meshes .stage[data-drawn]").length === 1);
     assert.equal(await text(started, "#title"), "bracket.json");
     assert.match(await text(started, "#solid-words"), /degree/);
+    // Formats of the plane are for maps; what is refused is told where the surface is.
+    const offered = await started.locator("#solid-format option:not([disabled])").evaluateAll((all) => all.map(({ value }) => value));
+    assert.ok(offered.includes("obj") && !["geojson", "fort14", "ugrid", "su2"].some((name) => offered.includes(name)), offered.join(" "));
+    await started.locator("#solid-remesh").click();
+    await started.waitForSelector("#solid-download:visible");
+    await started.locator("#solid-format").evaluate((select) => {
+      const planar = [...select.options].find(({ value }) => value === "su2");
+      planar.disabled = false;
+      select.value = "su2";
+    });
+    await started.locator("#solid-download").click();
+    await started.waitForSelector("#trouble:visible");
+    assert.match(await text(started, "#trouble-text"), /in the plane, and the z of this one goes from 0 to 50;/);
     await started.close();
   } finally {
     await model.stop();

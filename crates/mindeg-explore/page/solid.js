@@ -39,6 +39,10 @@ function open(title, facts) {
   for (const id of ["solid-changes", "solid-loops", "solid-thick"]) element(id).hidden = Boolean(map);
   element("whole-purposes").hidden = !map;
   element("solid-title").textContent = map ? "What is the mesh for?" : "What should become of the surface?";
+  // A map lies in the plane; a surface in space fits no format of the plane.
+  const select = element("solid-format");
+  for (const option of select.options) option.hidden = option.disabled = !map && option.dataset.planar === "true";
+  if (select.selectedOptions[0]?.disabled) select.value = "obj";
   element("title").textContent = title;
   element("facts").textContent = facts;
 }
@@ -107,6 +111,7 @@ function wished(change) {
 async function show(change) {
   const more = wished(change);
   element("solid-words").textContent = "Working …";
+  showTrouble("");
   try {
     const found = await server.solid(file, change, more);
     if (change === "nothing") {
@@ -217,6 +222,7 @@ export function startSolid(hand, onEnd) {
     onEnd();
   });
   element("solid-download").addEventListener("click", async () => {
+    showTrouble("");
     try {
       const format = element("solid-format").value;
       const { blob, name } = await (map ? server.wholeFile(map, made.purpose, format) : server.solidFile(file, made.change, format, made.more));

@@ -21,7 +21,11 @@ export function offerFiles(formats) {
   const select = element("format");
   select.append(...formats.map(({ name }) => new Option(name.toUpperCase(), name)));
   // Of a surface, one file is downloaded.
-  element("solid-format").append(...formats.filter(({ files }) => files.length === 1).map(({ name }) => new Option(name.toUpperCase(), name)));
+  element("solid-format").append(...formats.filter(({ files }) => files.length === 1).map(({ name, is_planar: isPlanar }) => {
+    const option = new Option(name.toUpperCase(), name);
+    option.dataset.planar = isPlanar;
+    return option;
+  }));
   element("solid-format").value = "obj";
   const format = () => formats.find(({ name }) => name === select.value);
   const explain = () => {

@@ -139,6 +139,8 @@ pub struct FormatFact {
     pub description: &'static str,
     /// The extension of each of its files, for `file=0`, `file=1`, …
     pub files: Vec<String>,
+    /// Whether it holds meshes in the plane alone.
+    pub is_planar: bool,
 }
 
 impl Request {

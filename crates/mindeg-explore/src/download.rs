@@ -77,6 +77,7 @@ pub(crate) fn format_facts() -> Vec<FormatFact> {
             name: format.name(),
             description: format.description(),
             files: format.files(&path).iter().filter_map(extension).collect(),
+            is_planar: format.is_planar(),
         }
     });
     facts.collect()

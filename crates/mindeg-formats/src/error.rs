@@ -5,7 +5,7 @@ use std::fmt::Display;
 use std::io;
 
 use glam::DVec3;
-use mindeg_mesh::{Positions, TriMeshError};
+use mindeg_mesh::{Positions, TriMeshError, coordinate};
 use thiserror::Error;
 
 /// Why a file could not be read as a mesh.
@@ -117,8 +117,10 @@ impl WriteError {
             return Ok(());
         }
         Err(Self::Refused(format!(
-            "{format} holds meshes in the plane, and the z of this one goes from {min} to {max}; \
-             write .vtu, .ply or .obj instead"
+            "{format} holds meshes in the plane, and the z of this one goes from {} to {}; \
+             write .vtu, .ply or .obj instead",
+            coordinate(min),
+            coordinate(max)
         )))
     }
 
