@@ -18,6 +18,7 @@ use mindeg::MeshError;
 use mindeg::{Domain, FoundBy, Goal, Meshed, Progress};
 use mindeg_answers::advice::Purpose;
 use mindeg_answers::mesh::{self as words, MeshAnswer};
+use mindeg_answers::numbers::steady_angle;
 use mindeg_exact::{MAX_VERTICES, Unsolved};
 use mindeg_files::{Format, Wanted, is_domain_name, is_mesh_name};
 use std::path::{Path, PathBuf};
@@ -126,7 +127,11 @@ fn mesh_of(domain: &Domain, arguments: &MeshArguments, output: &[PathBuf]) -> Re
     let mesh = &meshed.mesh;
     let demands = arguments.demands(arguments.interior.wanted.target_angle());
     let unmet = unmet_by_boundary_mesh(&demands, mesh, angles.min, making.bar())?;
-    let end = met_or_written_anyway(&unmet, arguments.interior.wanted.write_anyway)?;
+    let end = met_or_written_anyway(&unmet, arguments.interior.wanted.write_anyway);
+    let end = end.map_err(|failure| match demands.target_angle {
+        Some(target) if angles.min < target => with_way_out(failure, target, &meshed),
+        _ => failure,
+    })?;
     if domain.is_map() {
         // It has more vertices than the boundary.
         making.check(mesh, mesh.triangle_count())?;
@@ -159,6 +164,16 @@ fn mesh_of(domain: &Domain, arguments: &MeshArguments, output: &[PathBuf]) -> Re
     };
     made.say_and_advise(|| text(&meshed, goal, &answer), hints, || &answer)?;
     end
+}
+
+/// What would reach a minimum angle that the mesh does not have.
+fn with_way_out(failure: Failure, target: f64, meshed: &Meshed) -> Failure {
+    let Failure::Gate(message) = failure else { return failure };
+    let most = meshed.delaunay_min_angle;
+    let allowed = most.filter(|most| *most < target).map_or_else(String::new, |most| {
+        format!("no mesh of these points alone has more than {}; ", steady_angle(most))
+    });
+    Failure::Gate(format!("{message}; {allowed}--interior puts points inside"))
 }
 
 /// Whether the search for the largest angle, which is left out for its cost, may find a larger one at the same degree.

@@ -339,3 +339,13 @@ fn a_mesh_and_a_domain_in_each_others_place_are_told() {
     let words = format!("swap the two: mindeg mesh {part} -o plate.obj");
     mindeg(["mesh", "plate.obj", "-o", part, "--size", "1"]).refuses(&[&words]);
 }
+
+/// Where no mesh of the points has the angle that is asked for, that is said, and what would reach it.
+#[test]
+fn an_angle_that_the_points_do_not_allow_is_refused_with_the_way_out() {
+    let plate = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/domains/plate-with-holes.json");
+    let run = mindeg(["mesh", plate, "--target-angle", "10", "-o", "-", "--format", "obj"]);
+    assert_eq!(run.code, Some(3), "{run:?}");
+    let words = "no mesh of these points alone has more than 4.972°; --interior puts points inside";
+    assert!(run.errors.contains(words), "{}", run.errors);
+}
