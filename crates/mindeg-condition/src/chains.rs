@@ -4,7 +4,7 @@
 //! place; these stay.
 
 use crate::changes::{BoundaryChange, ChangeKind, Point, Why};
-use crate::demands::{BoundaryDemands, Given, Hold};
+use crate::demands::{Given, Hold};
 use crate::grid::Grid;
 use glam::DVec2;
 use mindeg_mesh::planar::PlanarBoundary;
@@ -12,9 +12,6 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// No vertex: before the first one of an open line, and after the last.
 pub(crate) const NONE: u32 = u32::MAX;
-
-/// An edge is long that has so many times the mean length.
-const LONG: f64 = 4.0;
 
 /// A point, linked with those before and after it on its chain.
 pub(crate) struct Vertex {
@@ -234,12 +231,6 @@ impl Chains {
         self.at(vertex).midpoint(self.at(self.next(vertex)))
     }
 
-    /// Whether an edge is short beside the size.
-    pub(crate) fn has_short(&self, demands: &BoundaryDemands) -> bool {
-        let short = demands.short().unwrap_or(0.0);
-        self.edges().any(|edge| self.length(edge) < short)
-    }
-
     /// The chains that are left, each from its first point that is there.
     pub(crate) fn order(&self) -> Vec<Vec<u32>> {
         let mut chains: Vec<Vec<u32>> = vec![Vec::new(); self.rings + self.lines];
@@ -373,31 +364,14 @@ impl Chains {
         new
     }
 
-    /// From here on the grid finds edges where they pass, not only at their first points.
-    pub(crate) fn put_edges(&mut self) {
-        let edges: Vec<u32> = self.edges().collect();
-        let mean = edges.iter().map(|edge| self.length(*edge)).sum::<f64>() / edges.len() as f64;
-        self.spacing = LONG * mean;
-        edges.into_iter().for_each(|edge| self.put_along(edge));
-    }
-
-    /// Puts a long edge into the grid where it passes.
-    pub(crate) fn put_along(&mut self, edge: u32) {
-        let ends = [edge, self.next(edge)].map(|v| self.at(v));
-        let parts = (ends[0].distance(ends[1]) / self.spacing).ceil();
-        for part in 1..parts as u32 {
-            self.grid.insert(edge, ends[0].lerp(ends[1], f64::from(part) / parts));
-        }
-    }
-
     /// Whether the point of a vertex stays.
     pub(crate) fn is_kept(&self, vertex: u32) -> bool {
         self.vertices[vertex as usize].hold >= Hold::Point
     }
 
     /// Whether the edge that begins at a vertex is not divided.
-    pub(crate) fn is_kept_edge(&self, vertex: u32) -> bool {
-        self.vertices[vertex as usize].hold == Hold::Edge
+    pub(crate) fn is_kept_edge(&self, edge: u32) -> bool {
+        self.vertices[edge as usize].hold == Hold::Edge
     }
 }
 

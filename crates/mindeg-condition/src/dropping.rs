@@ -52,6 +52,12 @@ impl Chains {
         }
     }
 
+    /// Whether an edge is short beside the size.
+    pub(crate) fn has_short(&self, demands: &BoundaryDemands) -> bool {
+        let short = demands.short().unwrap_or(0.0);
+        self.edges().any(|edge| self.length(edge) < short)
+    }
+
     /// Drops ends of edges that are short beside the size, the shortest first, where the angles at their neighbours allow it: what
     /// these have of uneven edges then, points on edges mend.
     pub(crate) fn join_short(&mut self, demands: &BoundaryDemands) {

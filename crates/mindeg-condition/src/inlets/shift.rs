@@ -6,6 +6,9 @@ use crate::demands::{BoundaryDemands, Hold};
 use glam::DVec2;
 use mindeg_mesh::planar::orientation;
 
+/// An edge is long that has so many times the mean length.
+const LONG: f64 = 4.0;
+
 impl Chains {
     /// Where a point was before it was moved, and how far it may be from there; none if it may not be moved.
     pub(crate) fn reach(&self, vertex: u32, demands: &BoundaryDemands) -> Option<(DVec2, f64)> {
@@ -38,6 +41,23 @@ impl Chains {
             .max(dropped(before, [self.at(before), to]))
             .max(dropped(vertex, [to, self.at(after)]));
         (home.distance(to) <= demands.within - own.off && moved <= demands.within).then_some(moved)
+    }
+
+    /// From here on the grid finds edges where they pass, not only at their first points.
+    pub(crate) fn put_edges(&mut self) {
+        let edges: Vec<u32> = self.edges().collect();
+        let mean = edges.iter().map(|edge| self.length(*edge)).sum::<f64>() / edges.len() as f64;
+        self.spacing = LONG * mean;
+        edges.into_iter().for_each(|edge| self.put_along(edge));
+    }
+
+    /// Puts a long edge into the grid where it passes.
+    pub(crate) fn put_along(&mut self, edge: u32) {
+        let ends = [edge, self.next(edge)].map(|v| self.at(v));
+        let parts = (ends[0].distance(ends[1]) / self.spacing).ceil();
+        for part in 1..parts as u32 {
+            self.grid.insert(edge, ends[0].lerp(ends[1], f64::from(part) / parts));
+        }
     }
 
     /// Whether nothing lies between a vertex with its edges and where it is to go.
@@ -106,5 +126,44 @@ impl Chains {
         own.point.of = None;
         self.grid.insert(vertex, to);
         [before, vertex].into_iter().for_each(|edge| self.put_along(edge));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::demands::Given;
+    use mindeg_mesh::planar::PlanarBoundary;
+
+    /// A box, 1,000 long, with a fine island near the middle of its lower side, and another one far away on the line of one of its edges.
+    #[test]
+    fn a_long_edge_is_in_the_way_where_it_passes_and_one_far_away_is_not() {
+        let fine = |x: f64, y: f64| -> Vec<DVec2> {
+            let up = [[0.0, 0.0], [0.0, 1.0], [0.0, 2.0], [1.0, 2.0], [1.0, 1.0], [1.0, 0.0]];
+            up.map(|[i, j]| DVec2::new(x + i, y + j)).to_vec()
+        };
+        let sea = [[0.0, 0.0], [1000.0, 0.0], [1000.0, 1000.0], [0.0, 1000.0]].map(DVec2::from);
+        let mut rings = vec![sea.to_vec(), fine(500.0, 2.0), fine(900.0, 2.0)];
+        rings.extend((0..200).map(|i| fine(8.0 + 4.0 * f64::from(i), 900.0)));
+        let boundary = PlanarBoundary::new(&rings).unwrap();
+        let given = Given {
+            hold: |_| Hold::Free,
+            has_domain: |_| [true, false],
+            is_straight: |_| false,
+            marks: &[],
+        };
+        let mut chains = Chains::new(&boundary, &given, 1);
+        chains.put_edges();
+        let corner = 4;
+        assert_eq!(chains.at(corner), DVec2::new(500.0, 2.0));
+        assert!(chains.is_shift_free(corner, DVec2::new(499.5, 1.0)));
+        assert!(!chains.is_shift_free(corner, DVec2::new(499.5, -1.0)));
+        // An edge of another island lies on the line along which the corner moves, far away.
+        let far = chains.edges().find(|edge| chains.at(*edge) == DVec2::new(901.0, 2.0)).unwrap();
+        let to = DVec2::new(499.5, 2.0);
+        let places = [9, 4, 5].map(|vertex| chains.place(vertex));
+        let corners = [chains.at(9), chains.at(corner), to];
+        assert!(!chains.is_in_the_way(far, corners, places));
+        assert!(chains.is_shift_free(corner, to));
     }
 }
