@@ -43,6 +43,8 @@ pub struct DepthsAnswer {
     pub raised: usize,
     /// How many vertices lie beyond the grid of depths, and have the nearest.
     pub beyond: usize,
+    /// How many vertices are above the water.
+    pub dry: usize,
     /// Whether all depths of the grid at the vertices are above the water.
     pub is_dry: bool,
     /// The number of vertices.
@@ -98,6 +100,7 @@ impl DepthsAnswer {
             greatest: values.iter().copied().fold(f64::NEG_INFINITY, f64::max),
             raised,
             beyond,
+            dry: values.iter().filter(|depth| **depth < 0.0).count(),
             is_dry,
             vertices: points.len(),
             courant: CourantAnswer::of(&points, mesh.triangles(), &values, time_step, projection),
@@ -113,6 +116,13 @@ impl DepthsAnswer {
         if self.raised > 0 {
             words +=
                 &format!("; {} shallower, which got the least depth", count(self.raised as u64));
+        }
+        if self.dry > 0 && !self.is_dry {
+            words += &format!(
+                "; {} of {} vertices above the water, to which --least-depth gives some",
+                count(self.dry as u64),
+                count(self.vertices as u64)
+            );
         }
         let beyond = count(self.beyond as u64);
         let share = self.beyond as f64 / self.vertices as f64;

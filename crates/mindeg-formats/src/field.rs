@@ -113,7 +113,7 @@ fn esri_grid(file: &[u8]) -> Result<Raster, ReadError> {
     };
     let origin =
         DVec2::new(origin("xllcorner", "xllcenter", dx)?, origin("yllcorner", "yllcenter", dy)?);
-    let missing = value("nodata_value");
+    let missing = Some(value("nodata_value").unwrap_or(NO_DATA));
     let mut lines: Vec<Vec<f64>> = Vec::new();
     for _ in 0..rows {
         let mut line = Vec::new();
@@ -134,6 +134,9 @@ fn esri_grid(file: &[u8]) -> Result<Raster, ReadError> {
     Ok(Raster { origin, spacing: DVec2::new(dx, dy), columns, values: lines.concat() })
 }
 
+/// What stands for no value where the head of an ESRI grid names nothing else.
+const NO_DATA: f64 = -9999.0;
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -151,6 +154,12 @@ mod tests {
         assert_eq!((grid.columns, grid.values.len()), (3, 6));
         assert_eq!([0, 2, 3, 5].map(|at| grid.values[at]), [4.0, 6.0, 1.0, 3.0]);
         assert!(grid.values[1].is_nan());
+        // ESRI's own mark where the head names none.
+        let plain = head.replace("NODATA_value -9999\n", "") + "1 2 3\n4 -9999 6\n";
+        let Field::Grid(plain) = Field::read(plain.as_bytes()).unwrap() else {
+            unreachable!("a grid")
+        };
+        assert!(plain.values[1].is_nan() && plain.values[2] == 6.0);
         for (text, words) in [
             ("1 2 3\n4 5", "5 values are there, not 2 rows of 3"),
             ("1 2 3\n4 5 6 7", "more values than 2 rows of 3"),

@@ -49,7 +49,8 @@ impl<'a> Dataset<'a> {
         }
         let scale = variable.number("scale_factor").unwrap_or(1.0);
         let offset = variable.number("add_offset").unwrap_or(0.0);
-        let missing = ["_FillValue", "missing_value"].map(|name| variable.number(name));
+        let [fill, missing] = ["_FillValue", "missing_value"].map(|name| variable.number(name));
+        let missing = [fill.or(variable.kind.fill()), missing];
         let mut all = Vec::new();
         all.try_reserve_exact(rows * columns)?;
         for index in 0..rows {
@@ -278,6 +279,33 @@ mod tests {
         let grid = read_raster(&bytes).unwrap();
         assert_eq!((grid.origin, grid.columns), (DVec2::new(0.0, 5.0), 3));
         assert_eq!(grid.values, [5.0, 3.0, 1.0, -1.0, 4.0, 2.0]);
+    }
+
+    /// Without `_FillValue` such values came out as depths of 10^37.
+    #[test]
+    fn the_fill_values_of_netcdf_are_no_values_unless_others_are_named() {
+        let of = |kind: u32, z: Vec<u8>, attributes: Vec<Vec<u8>>| {
+            let axes = [floats(&[0.0, 1.0]), floats(&[5.0, 6.0])];
+            let [x, y] = axes.map(|bytes| (vec![], 6, bytes));
+            let bytes = file(
+                1,
+                &[("y", 2), ("x", 2)],
+                &[
+                    ("x", &[1], x.0, x.1, x.2),
+                    ("y", &[0], y.0, y.1, y.2),
+                    ("z", &[0, 1], attributes, kind, z),
+                ],
+            );
+            read_raster(&bytes).unwrap().values
+        };
+        let single = |own: &[f32]| own.iter().flat_map(|value| value.to_be_bytes()).collect();
+        let fill = 9.969_21e36_f32;
+        let found = of(5, single(&[1.0, fill, 3.0, 4.0]), vec![]);
+        assert!(found[1].is_nan() && found[2] == 3.0, "{found:?}");
+        assert!(of(3, shorts(&[1, -32_767, 3, 4]), vec![])[1].is_nan());
+        let named = vec![attribute("_FillValue", 3, 1, &shorts(&[3]), 1)];
+        let found = of(3, shorts(&[1, -32_767, 3, 4]), named);
+        assert!(found[1] == -32_767.0 && found[2].is_nan(), "{found:?}");
     }
 
     #[test]

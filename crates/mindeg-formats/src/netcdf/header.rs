@@ -25,6 +25,9 @@ pub(super) enum Kind {
     U64,
 }
 
+/// `NC_FILL_FLOAT` and `NC_FILL_DOUBLE`: 15 * 2^119.
+const FILL: f64 = 15.0 * (1_u128 << 119) as f64;
+
 impl Kind {
     fn of(number: u32) -> Option<Self> {
         const ALL: [Kind; 11] = [
@@ -50,6 +53,16 @@ impl Kind {
             Self::I32 | Self::U32 | Self::F32 => 4,
             Self::F64 | Self::I64 | Self::U64 => 8,
         }
+    }
+
+    /// What stands for no value where a variable names nothing else: NetCDF's own, but of bytes, which have all their values.
+    pub(super) fn fill(self) -> Option<f64> {
+        Some(match self {
+            Self::I16 => -32_767.0,
+            Self::I32 => -2_147_483_647.0,
+            Self::F32 | Self::F64 => FILL,
+            _ => return None,
+        })
     }
 
     /// The number in its bytes, of which there are as many as it has.

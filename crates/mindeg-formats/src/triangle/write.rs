@@ -37,7 +37,7 @@ fn node<'a>(
     markers: Arc<[i64]>,
     points: BTreeMap<u32, i64>,
 ) -> Vec<Section<'a>> {
-    let head = format!("# {}\n{} 2 0 1\n", made_by(mesh), mesh.vertex_count());
+    let head = format!("{} 2 0 1 # {}\n", mesh.vertex_count(), made_by(mesh));
     let rows = move |range: Range<u32>| {
         let marker = |vertex| {
             let of_line = || boundary.name_of(vertex).map(|name| markers[name as usize]);
@@ -60,7 +60,7 @@ fn ele(mesh: &dyn Mesh) -> Vec<Section<'_>> {
             groups.of(range.clone()).map(|group| own(group).map(|it| [*it])).collect();
         corners_from_one(mesh, range).zip(own)
     };
-    let head = format!("# {}\n{count} 3 {columns}\n", made_by(mesh));
+    let head = format!("{count} 3 {columns} # {}\n", made_by(mesh));
     vec![Section::bytes(head), numbered_lines(" ", 0..count, rows)]
 }
 
