@@ -66,8 +66,16 @@ pub(super) fn box_corners(text: &str) -> Result<[f64; 4], String> {
     let numbers = text.split(',').map(|word| word.trim().parse().ok());
     let numbers: Option<Vec<f64>> = numbers.collect();
     let corners = numbers.and_then(|numbers| <[f64; 4]>::try_from(numbers).ok());
-    let corners = corners.filter(|[x, y, right, top]| x < right && y < top);
-    corners.ok_or_else(|| "give west,south,east,north, such as 22.5,35.5,28,40.5".to_owned())
+    let corners = corners.filter(|[x, y, right, top]| is_eastward(*x, *right) && y < top);
+    corners.ok_or_else(|| {
+        "give west,south,east,north, such as 22.5,35.5,28,40.5, or 170,-25,-170,-10 across 180°"
+            .to_owned()
+    })
+}
+
+/// Whether the short way from one longitude to another leads east, across the antimeridian if the first is greater.
+fn is_eastward(west: f64, east: f64) -> bool {
+    west < east || east + 360.0 - west <= 180.0
 }
 
 /// A list of interval counts, one for each side.

@@ -504,6 +504,17 @@ fn depths_tell_the_time_step_that_the_edges_allow() {
     let run = mesh(&[&path("heights.asc")]);
     assert!(run.errors.contains("no vertex has water: give heights, positive up, by --elevation"));
     assert_eq!(run.json()["depths"]["courant"], Value::Null);
+    let shore = "ncols 2\nnrows 2\nxllcenter 0\nyllcenter 0\ncellsize 4000\n-10 10\n-10 10\n";
+    fs::write(path("shore.asc"), shore).expect("a file");
+    let run = mesh(&[&path("shore.asc")]);
+    let told = format!(
+        "; {} of {} vertices above the water, to which --least-depth gives some",
+        run.json()["depths"]["dry"],
+        run.json()["vertices"]
+    );
+    assert!(run.errors.contains(&told), "{}", run.errors);
+    let run = mesh(&[&path("shore.asc"), "--least-depth", "1"]);
+    assert!(run.json()["depths"]["dry"] == 0 && !run.errors.contains("above the water"));
     grid("half.asc", 10.0, 1000);
     let run = mesh(&[&path("half.asc")]);
     assert!(run.errors.contains("lie beyond the grid of depths"), "{}", run.errors);
@@ -748,5 +759,41 @@ fn a_coast_keeps_the_rules_of_telemac_and_fvcom() {
         let ends = open.iter().chain(closed.iter().map(|segment| &segment.1)).flatten();
         ends.for_each(|node| is_inside[*node] = false);
         assert!(triangles.iter().all(|nodes| nodes.iter().any(|node| is_inside[*node])));
+    }
+}
+
+/// A country of a file of the world: what is projected is the country alone.
+#[test]
+fn one_polygon_of_a_file_around_the_globe_is_projected() {
+    let world = r#"{"type": "FeatureCollection", "features": [
+        {"type": "Feature", "properties": {"name": "here"}, "geometry": {"type": "Polygon",
+            "coordinates": [[[24, 38], [25, 38], [25, 39], [24, 38]]]}},
+        {"type": "Feature", "properties": {"name": "there"}, "geometry": {"type": "Polygon",
+            "coordinates": [[[-156, -38], [-155, -38], [-155, -37], [-156, -38]]]}}]}"#;
+    for options in [&[][..], &["--repair"]] {
+        let of = |name: &[&str]| {
+            let words = [&["domain", "-", "--project", "auto", "--json"], name, options].concat();
+            mindeg_reading(&words, world.as_bytes())
+        };
+        let here = of(&["--feature", "here"]);
+        assert_eq!(here.code, Some(0), "{}", here.errors);
+        assert!(here.errors.contains("UTM zone 35 north"), "{}", here.errors);
+        let all = of(&[]);
+        assert!(all.errors.contains("choose a part"), "{}", all.errors);
+    }
+}
+
+/// SWAN reads numbers from the first lines of Triangle's files.
+#[test]
+fn the_files_of_triangle_begin_with_their_numbers() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("plate.node");
+    let words = ["mesh", "--rectangle", "4x3", "--size", "1", "--interior", "-q", "-o"];
+    let run = mindeg([&words[..], &[&file.display().to_string()]].concat());
+    assert_eq!(run.code, Some(0), "{}", run.errors);
+    for (ending, columns) in [("node", ["2", "0", "1"].as_slice()), ("ele", &["3", "0"])] {
+        let text = fs::read_to_string(file.with_extension(ending)).expect("written");
+        let words: Vec<&str> = text.lines().next().unwrap().split_whitespace().collect();
+        assert!(words[0].parse::<u32>().is_ok() && words[1..].starts_with(columns), "{words:?}");
     }
 }

@@ -90,8 +90,17 @@ impl PolygonFile {
         let wrong = |error: OutlineError| FileError::wrong(error.to_string());
         let mut outlines = outlines.map_err(wrong)?;
         if let Some(corners) = options.sea_in {
+            let is_projected = options.project.is_some_and(|it| it != ProjectionChoice::None);
+            if is_projected && corners[1].x - corners[0].x >= 360.0 {
+                return Err(FileError::wrong(
+                    "the box of the sea goes all around the globe, and would have a seam: give one narrower than 360 degrees",
+                ));
+            }
             outlines = outlines.sea_in(corners).map_err(wrong)?;
         }
+        // The rest of a file of the world may have no place in the plane.
+        let wanted = options.feature.as_ref();
+        let chosen = wanted.map(|wanted| outlines.choose(wanted)).transpose().map_err(wrong)?;
         let is_in_degrees = options.project.is_none() && outlines.is_in_degrees();
         let mut projection = None;
         if let Some(choice) = options.project {
@@ -113,7 +122,7 @@ impl PolygonFile {
         if let Some(within) = options.parts_holes {
             outlines = outlines.with_parted_holes(within, projection.is_some());
         }
-        let Outlines { features, mut inside, periodic, kinds, mut notes, .. } = outlines;
+        let Outlines { features, inside, periodic, kinds, mut notes, .. } = outlines;
         let rings = features.iter().flat_map(|feature| &feature.rings);
         let starts = rings.flat_map(|ring| ring.pieces.iter().map(|piece| piece.start));
         if is_in_degrees && look_like_degrees(starts) {
@@ -123,16 +132,19 @@ impl PolygonFile {
                 session.dashes()
             ));
         }
-        let mut polygons = outlines::labelled(features);
+        let mut polygons = match chosen {
+            // A repair may part one.
+            Some(polygons) if polygons.len() == features.len() => {
+                let pairs = polygons.into_iter().zip(features);
+                pairs.map(|(polygon, feature)| Polygon { feature, ..polygon }).collect()
+            }
+            _ => outlines::labelled(features),
+        };
         // A file of one shape without a name is called after that shape.
         if let ([polygon], Some(stem)) = (&mut polygons[..], input.path().and_then(plain_stem))
             && polygon.label.is_empty()
         {
             stem.clone_into(&mut polygon.label);
-        }
-        if let Some(wanted) = &options.feature {
-            polygons = outlines::chosen(polygons, wanted).map_err(wrong)?;
-            inside.keep_within(polygons.iter().map(|polygon| &polygon.feature));
         }
         Ok(Self {
             file: input.name(),

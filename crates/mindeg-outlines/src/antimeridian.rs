@@ -17,6 +17,7 @@ use crate::text::counted;
 
 /// The longitude of the antimeridian.
 const HALF_TURN: f64 = 180.0;
+pub(super) const TURN: f64 = 2.0 * HALF_TURN;
 
 /// Points nearer to the antimeridian, in degrees, are on it: rounding.
 const NEAR: f64 = 1e-9;
@@ -217,10 +218,34 @@ fn runs(ring: &[DVec2]) -> Runs {
     Runs::Open(cuts.into_iter().enumerate().map(run).collect())
 }
 
+/// The rings of a polygon whose longitudes run on past 180° where it crosses the antimeridian. What goes around a pole does not
+/// close so: that polygon is cut.
+pub(super) fn running_on(feature: &Feature) -> Result<Vec<DrawnRing>, OutlineError> {
+    if !crosses(feature) {
+        return Ok(feature.rings.clone());
+    }
+    let ring = |ring: &DrawnRing| {
+        let points = points_of(ring);
+        let mut turns = 0.0;
+        let mut after = |[a, b]: [DVec2; 2]| {
+            if is_across(a, b) {
+                turns += TURN.copysign(a.x - b.x);
+            }
+            b + DVec2::new(turns, 0.0)
+        };
+        let moved: Vec<DVec2> = edges(&points).map(&mut after).collect();
+        (turns == 0.0).then(|| DrawnRing::of_points(moved))
+    };
+    match feature.rings.iter().map(ring).collect() {
+        Some(rings) => Ok(rings),
+        None => Ok(cut(feature)?.into_iter().flatten().flat_map(|part| part.rings).collect()),
+    }
+}
+
 /// The latitude at which the short way between two points crosses the antimeridian; the same both ways round.
 fn crossing(a: DVec2, b: DVec2) -> f64 {
     let (below, above) = if a.x > b.x { (a, b) } else { (b, a) };
-    let share = (HALF_TURN - below.x) / (above.x + 2.0 * HALF_TURN - below.x);
+    let share = (HALF_TURN - below.x) / (above.x + TURN - below.x);
     below.y + (above.y - below.y) * share
 }
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use super::outline::Feature;
+use super::outline::{Feature, Outlines};
 use super::text::clean;
 use crate::error::OutlineError;
 
@@ -72,6 +72,22 @@ pub fn chosen(polygons: Vec<Polygon>, wanted: &str) -> Result<Vec<Polygon>, Outl
         return Err(OutlineError::place("", problem));
     }
     Ok(polygons.into_iter().filter(|it| is_chosen(it)).collect())
+}
+
+impl Outlines {
+    /// Keeps the polygons that a text names, as one shape, and what is inside them. Gives them with their labels and indices among all.
+    ///
+    /// # Errors
+    ///
+    /// The error of [`chosen`].
+    pub fn choose(&mut self, wanted: &str) -> Result<Vec<Polygon>, OutlineError> {
+        let polygons = chosen(labelled(std::mem::take(&mut self.features)), wanted)?;
+        self.features = polygons.iter().map(|polygon| polygon.feature.clone()).collect();
+        self.shapes.clear();
+        self.end_shape();
+        self.inside.keep_within(&self.features);
+        Ok(polygons)
+    }
 }
 
 /// The first polygons in a few words, such as `1 (lake), 2 (lake 2)`.

@@ -4,13 +4,17 @@ use glam::DVec2;
 use mindeg_mesh::{Bounds, percent};
 use std::iter::once;
 
+use super::antimeridian::{TURN, running_on};
 use super::outline::{DrawnRing, Feature, FillRule, Outlines};
 use super::overlay::{Layer, overlay};
 use super::text::{counted, shown};
 use crate::error::OutlineError;
 
-/// The meridian where polygons of longitudes and latitudes end, and the pole.
-const ENDS: DVec2 = DVec2::new(180.0, 90.0);
+/// A box across the antimeridian may be given by longitudes of one turn more; latitudes end at the pole.
+const ENDS: DVec2 = DVec2::new(540.0, 90.0);
+
+/// Polygons with longitudes from -360 to 360 degrees are found in boxes up to 540.
+const TURNS: i32 = 2;
 
 impl Outlines {
     /// The largest part of a box that no polygon covers: the sea, if they are lands. The box has two corners, the lower left one
@@ -35,30 +39,26 @@ impl Outlines {
     /// assert_eq!(doubled, [36.0, 1.0]);
     /// # Ok::<(), mindeg_outlines::OutlineError>(())
     /// ```
-    pub fn sea_in(mut self, [low, high]: [DVec2; 2]) -> Result<Self, OutlineError> {
-        let bad = |problem: String| {
-            OutlineError::place(format!("the box from {} to {}", shown(low), shown(high)), problem)
-        };
+    pub fn sea_in(mut self, [low, mut high]: [DVec2; 2]) -> Result<Self, OutlineError> {
+        let place = format!("the box from {} to {}", shown(low), shown(high));
+        let bad = |problem: String| OutlineError::place(place.clone(), problem);
+        // The short way; the long one is more likely west and east swapped.
+        if self.is_geographic && low.x > high.x && high.x + TURN - low.x <= TURN / 2.0 {
+            high.x += TURN;
+        }
         if !(low.cmplt(high).all() && low.is_finite() && high.is_finite()) {
             return Err(bad(
                 "give its lower left corner first, then its upper right one".to_owned()
             ));
         }
         if self.is_geographic && (low.cmplt(-ENDS).any() || high.cmpgt(ENDS).any()) {
-            return Err(bad(
-                "degrees end at ±180 and ±90, and so do the polygons: keep within".to_owned()
-            ));
+            return Err(bad("latitudes end at ±90; a box across the antimeridian may pass ±180, such as from 170 to 190".to_owned()));
         }
-        let is_near = |feature: &&Feature| {
-            let points = feature.rings.iter().flat_map(DrawnRing::flattened);
-            Bounds::of(points)
-                .is_some_and(|own| own.min.cmplt(high).all() && own.max.cmpgt(low).all())
-        };
         let corners = [low, DVec2::new(high.x, low.y), high, DVec2::new(low.x, high.y)];
         let rim = DrawnRing::of_points(corners);
         let rule = FillRule::EvenOdd;
-        let lands = self.features.iter().filter(is_near);
-        let lands = lands.map(|land| Layer { rings: land.rings.iter().collect(), rule });
+        let lands = self.lands([low, high])?;
+        let lands = lands.iter().map(|rings| Layer { rings: rings.iter().collect(), rule });
         let layers: Vec<Layer<'_>> = once(Layer { rings: vec![&rim], rule }).chain(lands).collect();
         let is_sea = |counted: &[bool]| counted[0] && !counted[1..].contains(&true);
         let parts = overlay(&layers, is_sea).map_err(bad)?.polygons;
@@ -74,12 +74,62 @@ impl Outlines {
                 percent(second / largest)
             ));
         }
+        self.turn_inside([low.x, high.x]);
         let Self { inside, kinds, notes, is_geographic, .. } = self;
         let mut sea = Self { inside, kinds, notes, is_geographic, ..Self::default() };
         sea.features.push(Feature { rings, ..Feature::default() });
         sea.end_shape();
         sea.clip_inside(0.0)?;
         Ok(sea)
+    }
+
+    /// The rings of the polygons in a box. Of longitudes and latitudes, where they are on its turn around the globe.
+    fn lands(&self, [low, high]: [DVec2; 2]) -> Result<Vec<Vec<DrawnRing>>, OutlineError> {
+        let is_near = |rings: &Vec<DrawnRing>| {
+            Bounds::of(rings.iter().flat_map(DrawnRing::flattened))
+                .is_some_and(|own| own.min.cmplt(high).all() && own.max.cmpgt(low).all())
+        };
+        let own = self.features.iter();
+        if !self.is_geographic {
+            return Ok(own.map(|land| land.rings.clone()).filter(is_near).collect());
+        }
+        let mut lands = Vec::new();
+        for land in own {
+            let rings = running_on(land)?;
+            let turned = |turns: i32| -> Vec<DrawnRing> {
+                let by = f64::from(turns) * TURN;
+                let mut rings = rings.clone();
+                let pieces = rings.iter_mut().flat_map(|ring| &mut ring.pieces);
+                pieces.for_each(|piece| piece.start.x += by);
+                rings
+            };
+            lands.extend((-TURNS..=TURNS).map(turned).filter(is_near));
+        }
+        Ok(lands)
+    }
+
+    /// Lines and points of longitudes and latitudes, where they are on the turn of a box around the globe.
+    fn turn_inside(&mut self, [west, east]: [f64; 2]) {
+        if !self.is_geographic {
+            return;
+        }
+        let turn = |x: f64| {
+            if x < west && x + TURN <= east {
+                TURN
+            } else if x > east && x - TURN >= west {
+                -TURN
+            } else {
+                0.0
+            }
+        };
+        for line in &mut self.inside.lines {
+            for end in [&mut line.segment.start, &mut line.segment.end] {
+                end.x += turn(end.x);
+            }
+        }
+        for point in &mut self.inside.points {
+            point.at.x += turn(point.at.x);
+        }
     }
 }
 
@@ -143,13 +193,43 @@ mod tests {
         assert_eq!(point.at, DVec2::new(5.0, 1.0));
     }
 
+    /// Land across the antimeridian ran back around the world, and cut seas anywhere on its latitudes.
+    #[test]
+    fn land_across_the_antimeridian_is_only_there() {
+        let land = r#"{"type": "GeometryCollection", "geometries": [
+            {"type": "Polygon", "coordinates": [[[175, 0], [-178, 0], [-178, 9], [175, 9], [175, 0]],
+                                                [[179, 1], [-179, 2], [179, 3], [179, 1]]]},
+            {"type": "Polygon", "coordinates": [[[-180, -70], [-90, -60], [0, -65], [90, -60], [180, -70], [-180, -70]]]},
+            {"type": "LineString", "coordinates": [[-176, 3], [-174, 4]]},
+            {"type": "Point", "coordinates": [-175, 7]}]}"#;
+        let areas = |corners| -> (Vec<f64>, Outlines) {
+            let found = sea(land, corners).unwrap();
+            let rings = found.features.iter().flat_map(|part| &part.rings);
+            (rings.map(|ring| ring.doubled_area().abs() / 2.0).collect(), found)
+        };
+        assert_eq!(areas([[-30.0, -5.0], [-20.0, 20.0]]).0, [250.0]);
+        for [west, east] in [[170.0, -170.0], [170.0, 190.0], [-190.0, -170.0]] {
+            let (areas, found) = areas([[west, -5.0], [east, 20.0]]);
+            assert_eq!(areas, [500.0, 63.0], "{west}");
+            assert_eq!((found.inside.lines.len(), found.inside.points.len()), (1, 1));
+            assert!(
+                found.notes[0].starts_with("left out 1 other part"),
+                "the lake: {:?}",
+                found.notes
+            );
+        }
+        // The land around the pole ends at -60 degrees here.
+        let (south, _) = areas([[-91.0, -80.0], [-89.0, -50.0]]);
+        assert!(south.len() == 1 && (20.0..20.2).contains(&south[0]), "{south:?}");
+    }
+
     #[test]
     fn boxes_without_a_sea_are_refused() {
         let land = r#"{"type": "Polygon", "coordinates": [[[-20, -20], [20, -20], [20, 20], [-20, 20], [-20, -20]]]}"#;
         for (corners, words) in [
             ([[0.0, 0.0], [1.0, 1.0]], "polygons cover it"),
-            ([[1.0, 1.0], [0.0, 0.0]], "lower left corner first"),
-            ([[170.0, 0.0], [190.0, 1.0]], "degrees end at ±180"),
+            ([[0.0, 1.0], [1.0, 0.0]], "lower left corner first"),
+            ([[0.0, 80.0], [1.0, 91.0]], "latitudes end at ±90"),
         ] {
             let error = sea(land, corners).unwrap_err().to_string();
             assert!(error.starts_with("the box from (") && error.contains(words), "{error}");
