@@ -15,11 +15,16 @@ impl ArrayMesh {
             rings.iter().map(|ring| ring.iter().map(|v| self.at(*v)).collect()).collect();
         let outline = PlanarBoundary::of_mesh(&positions);
         let mut names = rings.concat();
-        let vertices = (0..).zip(&self.vertices);
-        let fixed = vertices.filter(|(_, v)| v.kind == Kind::Fixed && v.triangles > 0);
-        names.extend(fixed.map(|(v, _)| v));
         let mut index = vec![NONE; self.vertices.len()];
         (0..).zip(&names).for_each(|(i, v)| index[*v as usize] = i);
+        // A line may end on a ring: its end is the ring's vertex.
+        for (v, vertex) in (0..).zip(&self.vertices) {
+            let own = &mut index[v as usize];
+            if vertex.kind == Kind::Fixed && vertex.triangles > 0 && *own == NONE {
+                *own = names.len() as u32;
+                names.push(v);
+            }
+        }
         let locked = self.locked_edges().into_iter().map(|edge| edge.map(|v| index[v as usize]));
         let mut edges: Vec<[u32; 2]> = locked.map(sorted).collect();
         edges.sort_unstable();

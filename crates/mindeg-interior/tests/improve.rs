@@ -115,6 +115,23 @@ fn kept_vertices_and_edges_stay() {
     run(&mesh, &Keep { vertices: vec![35, 50, 70], edges: vec![[a, b]] });
 }
 
+/// The ends of such a line were taken for vertices inside with too few edges, and good meshes got worse to mend them.
+#[test]
+fn a_line_that_ends_on_the_boundary_leaves_its_ends_there() {
+    let at = |x: u32, y: u32| 9 * y + x;
+    let points = (0..45).map(|v| DVec2::new(f64::from(v % 9), f64::from(v / 9))).collect();
+    let cells = (0..4).flat_map(|y| (0..8).map(move |x| (x, y)));
+    let triangles = cells.flat_map(|(x, y)| {
+        let [a, b, c, d] = [at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)];
+        [[a, b, c], [a, c, d]]
+    });
+    let line = (0..4).map(|y| [at(4, y), at(4, y + 1)]).collect();
+    let mesh = (points, triangles.collect());
+    let found = run(&mesh, &Keep { vertices: Vec::new(), edges: line });
+    assert_eq!((&found.before.violations[..], found.before.interior_points), (&[][..], 21));
+    assert_eq!(found.triangles, mesh.1);
+}
+
 #[test]
 fn unused_points_stay() {
     let mut mesh = square(4, &scattered(9));
