@@ -193,8 +193,8 @@ impl PolygonFile {
             .map(|domain| domain.with_projection(self.projection));
         domain.map_err(|error| {
             let said = error.to_string();
-            let is_divided = || polygon.domain(&Division::default()).is_ok();
-            FileError::wrong(self.with_hint(said, error.is_touch, is_divided)).of(&polygon.name())
+            let is_well = || polygon.domain(&Division::default()).is_ok();
+            FileError::wrong(self.with_hint(said, error.is_touch, is_well)).of(&polygon.name())
         })
     }
 
@@ -226,20 +226,20 @@ impl PolygonFile {
         });
         maps.map_err(|error| {
             let said = error.to_string();
-            let is_divided = || {
+            let is_well = || {
                 let whole = Division::default();
                 outlines::maps(&self.polygons, &self.inside, &whole, self.is_repaired).is_ok()
             };
-            FileError::wrong(self.with_hint(said, error.is_touch, is_divided)).of(&self.file)
+            FileError::wrong(self.with_hint(said, error.is_touch, is_well)).of(&self.file)
         })
     }
 
-    /// What is wrong, with what to do. Whether edges of the size asked for are the cause, and the outline itself is well, is
+    /// What is wrong, with what to do. Whether the outline itself is well, and edges of the size asked for are the cause, is
     /// worked out where it matters: no repair of the outline helps then.
-    fn with_hint(&self, mut said: String, is_touch: bool, is_divided: impl Fn() -> bool) -> String {
+    fn with_hint(&self, mut said: String, is_touch: bool, is_well: impl Fn() -> bool) -> String {
         let dashes = self.dashes;
         let is_cut = is_touch && self.division.size.is_some() && said.contains(" cross near ");
-        if is_touch && !self.is_repaired && !(is_cut && is_divided()) {
+        if is_touch && !self.is_repaired && !(is_cut && is_well()) {
             said += &format!("; {dashes}repair mends such places, and says what it changes");
         }
         if is_cut {

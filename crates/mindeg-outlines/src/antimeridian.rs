@@ -225,16 +225,20 @@ pub(super) fn running_on(feature: &Feature) -> Result<Vec<DrawnRing>, OutlineErr
         return Ok(feature.rings.clone());
     }
     let ring = |ring: &DrawnRing| {
-        let points = points_of(ring);
-        let mut turns = 0.0;
-        let mut after = |[a, b]: [DVec2; 2]| {
-            if is_across(a, b) {
-                turns += TURN.copysign(a.x - b.x);
+        let mut ring = ring.clone();
+        let first = ring.pieces.first()?.start;
+        let (mut last, mut turns) = (first, 0.0);
+        let mut turn = |to: DVec2| {
+            if is_across(last, to) {
+                turns += TURN.copysign(last.x - to.x);
             }
-            b + DVec2::new(turns, 0.0)
+            last = to;
+            turns
         };
-        let moved: Vec<DVec2> = edges(&points).map(&mut after).collect();
-        (turns == 0.0).then(|| DrawnRing::of_points(moved))
+        for piece in &mut ring.pieces {
+            piece.start.x += turn(piece.start);
+        }
+        (turn(first) == 0.0).then_some(ring)
     };
     match feature.rings.iter().map(ring).collect() {
         Some(rings) => Ok(rings),
