@@ -1,7 +1,7 @@
 //! Values of options: how they are read, and what to say to one that cannot be.
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use mindeg_files::Format;
+use mindeg_files::{Format, is_eastward};
 use std::str::FromStr;
 
 /// Width and height.
@@ -71,11 +71,6 @@ pub(super) fn box_corners(text: &str) -> Result<[f64; 4], String> {
         "give west,south,east,north, such as 22.5,35.5,28,40.5, or 170,-25,-170,-10 across 180°"
             .to_owned()
     })
-}
-
-/// Whether the short way from one longitude to another leads east, across the antimeridian if the first is greater.
-fn is_eastward(west: f64, east: f64) -> bool {
-    west < east || east + 360.0 - west <= 180.0
 }
 
 /// A list of interval counts, one for each side.

@@ -41,7 +41,7 @@ pub use mindeg_formats::{
     extensions, obj, svg, with_boundary_lines,
 };
 pub use mindeg_outlines::{
-    Division, FillRule, OutlineFormat, Polygon, ProjectionChoice, Selection,
+    Division, FillRule, OutlineFormat, Polygon, ProjectionChoice, Selection, is_eastward,
 };
 
 pub use error::{FileError, plainly};

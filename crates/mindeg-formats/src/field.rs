@@ -113,7 +113,7 @@ fn esri_grid(file: &[u8]) -> Result<Raster, ReadError> {
     };
     let origin =
         DVec2::new(origin("xllcorner", "xllcenter", dx)?, origin("yllcorner", "yllcenter", dy)?);
-    let missing = Some(value("nodata_value").unwrap_or(NO_DATA));
+    let missing = value("nodata_value").unwrap_or(NO_DATA);
     let mut lines: Vec<Vec<f64>> = Vec::new();
     for _ in 0..rows {
         let mut line = Vec::new();
@@ -122,7 +122,7 @@ fn esri_grid(file: &[u8]) -> Result<Raster, ReadError> {
                 let found = lines.len() * columns + line.len();
                 scanner.problem(format!("{found} values are there, not {rows} rows of {columns}"))
             })?;
-            let value = finite(word).filter(|value| Some(*value) != missing);
+            let value = finite(word).filter(|value| *value != missing);
             line.push(value.unwrap_or(f64::NAN));
         }
         lines.push(line);

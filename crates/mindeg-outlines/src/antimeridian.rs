@@ -4,6 +4,7 @@
 //! around the world. Here it goes the short way: the ring is cut where it meets the antimeridian, and the polygon is closed
 //! along it on both sides. A ring around a pole is closed along the pole.
 
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 
 use glam::DVec2;
@@ -220,9 +221,9 @@ fn runs(ring: &[DVec2]) -> Runs {
 
 /// The rings of a polygon whose longitudes run on past 180° where it crosses the antimeridian. What goes around a pole does not
 /// close so: that polygon is cut.
-pub(super) fn running_on(feature: &Feature) -> Result<Vec<DrawnRing>, OutlineError> {
+pub(super) fn running_on(feature: &Feature) -> Result<Cow<'_, [DrawnRing]>, OutlineError> {
     if !crosses(feature) {
-        return Ok(feature.rings.clone());
+        return Ok(Cow::Borrowed(&feature.rings));
     }
     let ring = |ring: &DrawnRing| {
         let mut ring = ring.clone();
@@ -240,10 +241,10 @@ pub(super) fn running_on(feature: &Feature) -> Result<Vec<DrawnRing>, OutlineErr
         }
         (turn(first) == 0.0).then_some(ring)
     };
-    match feature.rings.iter().map(ring).collect() {
-        Some(rings) => Ok(rings),
-        None => Ok(cut(feature)?.into_iter().flatten().flat_map(|part| part.rings).collect()),
+    if let Some(rings) = feature.rings.iter().map(ring).collect() {
+        return Ok(Cow::Owned(rings));
     }
+    Ok(cut(feature)?.into_iter().flatten().flat_map(|part| part.rings).collect())
 }
 
 /// The latitude at which the short way between two points crosses the antimeridian; the same both ways round.

@@ -15,7 +15,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! In a file with several polygons, [`labelled`] gives each a name of its own, and [`chosen`] takes the ones
+//! In a file with several polygons, [`labelled`] gives each a name of its own, and [`Outlines::choose`] takes the ones
 //! that somebody names.
 //!
 //! Readers take the bytes of a whole file and use memory in proportion to them. A malformed file is
@@ -55,7 +55,7 @@ mod text;
 mod vertices;
 mod wkt;
 
-pub use choice::{Listed, Polygon, chosen, labelled};
+pub use choice::{Listed, Polygon, labelled};
 pub use curve::{EllipseArc, PieceCurve, Segment};
 pub use error::OutlineError;
 pub use format::{OutlineFormat, read, read_selected};
@@ -64,5 +64,6 @@ pub use kinds::with_kinds;
 pub use map::maps;
 pub use outline::{DrawnInside, DrawnRing, Feature, FillRule, Outlines, Piece, SideKinds};
 pub use periodic::{PeriodicCurve, with_periodic_sides};
+pub use sea::is_eastward;
 pub use selection::Selection;
 pub use sides::{DividedSide, Division};

@@ -2,6 +2,7 @@
 
 use glam::DVec2;
 use mindeg_mesh::{Bounds, percent};
+use std::borrow::Cow;
 use std::iter::once;
 
 use super::antimeridian::{TURN, running_on};
@@ -42,8 +43,7 @@ impl Outlines {
     pub fn sea_in(mut self, [low, mut high]: [DVec2; 2]) -> Result<Self, OutlineError> {
         let place = format!("the box from {} to {}", shown(low), shown(high));
         let bad = |problem: String| OutlineError::place(place.clone(), problem);
-        // The short way; the long one is more likely west and east swapped.
-        if self.is_geographic && low.x > high.x && high.x + TURN - low.x <= TURN / 2.0 {
+        if self.is_geographic && low.x > high.x && is_eastward(low.x, high.x) {
             high.x += TURN;
         }
         if !(low.cmplt(high).all() && low.is_finite() && high.is_finite()) {
@@ -85,25 +85,28 @@ impl Outlines {
 
     /// The rings of the polygons in a box. Of longitudes and latitudes, where they are on its turn around the globe.
     fn lands(&self, [low, high]: [DVec2; 2]) -> Result<Vec<Vec<DrawnRing>>, OutlineError> {
-        let is_near = |rings: &Vec<DrawnRing>| {
-            Bounds::of(rings.iter().flat_map(DrawnRing::flattened))
-                .is_some_and(|own| own.min.cmplt(high).all() && own.max.cmpgt(low).all())
-        };
-        let own = self.features.iter();
-        if !self.is_geographic {
-            return Ok(own.map(|land| land.rings.clone()).filter(is_near).collect());
-        }
+        let turns = if self.is_geographic { TURNS } else { 0 };
         let mut lands = Vec::new();
-        for land in own {
-            let rings = running_on(land)?;
-            let turned = |turns: i32| -> Vec<DrawnRing> {
-                let by = f64::from(turns) * TURN;
-                let mut rings = rings.clone();
-                let pieces = rings.iter_mut().flat_map(|ring| &mut ring.pieces);
-                pieces.for_each(|piece| piece.start.x += by);
-                rings
+        for land in &self.features {
+            let rings = match self.is_geographic {
+                true => running_on(land)?,
+                false => Cow::Borrowed(&land.rings[..]),
             };
-            lands.extend((-TURNS..=TURNS).map(turned).filter(is_near));
+            let Some(own) = Bounds::of(rings.iter().flat_map(DrawnRing::flattened)) else {
+                continue;
+            };
+            for turn in -turns..=turns {
+                let by = DVec2::new(f64::from(turn) * TURN, 0.0);
+                if (own.min + by).cmplt(high).all() && (own.max + by).cmpgt(low).all() {
+                    let mut rings = rings.to_vec();
+                    // Adding zero would turn -0 into 0.
+                    if turn != 0 {
+                        let pieces = rings.iter_mut().flat_map(|ring| &mut ring.pieces);
+                        pieces.for_each(|piece| piece.start += by);
+                    }
+                    lands.push(rings);
+                }
+            }
         }
         Ok(lands)
     }
@@ -131,6 +134,20 @@ impl Outlines {
             point.at.x += turn(point.at.x);
         }
     }
+}
+
+/// Whether one goes east from one longitude to another of a box: across the antimeridian only the short way, for the long one is more
+/// likely west and east swapped.
+///
+/// ```
+/// use mindeg_outlines::is_eastward;
+///
+/// assert!(is_eastward(23.0, 25.0) && is_eastward(170.0, -170.0));
+/// assert!(!is_eastward(25.0, 23.0) && !is_eastward(3.0, 3.0));
+/// ```
+#[must_use]
+pub fn is_eastward(west: f64, east: f64) -> bool {
+    west < east || east + TURN - west <= TURN / 2.0
 }
 
 /// The area of an outer ring without holes.

@@ -45,6 +45,9 @@ impl Chains {
 
     /// From here on the grid finds edges where they pass, not only at their first points.
     pub(crate) fn put_edges(&mut self) {
+        if self.spacing.is_finite() {
+            return;
+        }
         let edges: Vec<u32> = self.edges().collect();
         let mean = edges.iter().map(|edge| self.length(*edge)).sum::<f64>() / edges.len() as f64;
         self.spacing = LONG * mean;
