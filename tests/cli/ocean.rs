@@ -783,6 +783,18 @@ fn one_polygon_of_a_file_around_the_globe_is_projected() {
     }
 }
 
+/// A ring that crosses itself is two polygons once it is repaired, and an index chooses among these.
+#[test]
+fn an_index_counts_the_polygons_that_a_repair_makes() {
+    let bow = "POLYGON((0 0, 2 2, 2 0, 0 2, 0 0))";
+    let of = |index| {
+        let words = ["domain", "-", "--repair", "--feature", index];
+        mindeg_reading(words, bow.as_bytes())
+    };
+    assert_eq!(of("2").code, Some(0), "{}", of("2").errors);
+    of("3").refuses(&["give a name, or an index from 1 to 2"]);
+}
+
 /// SWAN reads numbers from the first lines of Triangle's files.
 #[test]
 fn the_files_of_triangle_begin_with_their_numbers() {

@@ -98,9 +98,13 @@ impl PolygonFile {
             }
             outlines = outlines.sea_in(corners).map_err(wrong)?;
         }
-        // The rest of a file of the world may have no place in the plane.
-        let wanted = options.feature.as_ref();
-        let chosen = wanted.map(|wanted| outlines.choose(wanted)).transpose().map_err(wrong)?;
+        // The rest of a file of the world may have no place in the plane. Indices count the polygons that a repair makes.
+        let wanted = options.feature.as_deref();
+        let is_name = |wanted: &&str| {
+            outlines.features.iter().any(|feature| feature.name.as_deref() == Some(*wanted))
+        };
+        let before = wanted.filter(|wanted| !options.repair || is_name(wanted));
+        let chosen = before.map(|wanted| outlines.choose(wanted)).transpose().map_err(wrong)?;
         let is_in_degrees = options.project.is_none() && outlines.is_in_degrees();
         let mut projection = None;
         if let Some(choice) = options.project {
@@ -122,7 +126,7 @@ impl PolygonFile {
         if let Some(within) = options.parts_holes {
             outlines = outlines.with_parted_holes(within, projection.is_some());
         }
-        let Outlines { features, inside, periodic, kinds, mut notes, .. } = outlines;
+        let Outlines { features, mut inside, periodic, kinds, mut notes, .. } = outlines;
         let rings = features.iter().flat_map(|feature| &feature.rings);
         let starts = rings.flat_map(|ring| ring.pieces.iter().map(|piece| piece.start));
         if is_in_degrees && look_like_degrees(starts) {
@@ -133,8 +137,7 @@ impl PolygonFile {
             ));
         }
         let mut polygons = match chosen {
-            // A repair may part one.
-            Some(polygons) if polygons.len() == features.len() => {
+            Some(polygons) if !options.repair => {
                 let pairs = polygons.into_iter().zip(features);
                 pairs.map(|(polygon, feature)| Polygon { feature, ..polygon }).collect()
             }
@@ -145,6 +148,10 @@ impl PolygonFile {
             && polygon.label.is_empty()
         {
             stem.clone_into(&mut polygon.label);
+        }
+        if let Some(wanted) = wanted.filter(|_| options.repair) {
+            polygons = outlines::chosen(polygons, wanted).map_err(wrong)?;
+            inside.keep_within(polygons.iter().map(|polygon| &polygon.feature));
         }
         Ok(Self {
             file: input.name(),

@@ -50,7 +50,11 @@ pub fn labelled(features: Vec<Feature>) -> Vec<Polygon> {
 }
 
 /// The polygons that a text names: one by its label or index, or all of one name.
-fn chosen(polygons: Vec<Polygon>, wanted: &str) -> Result<Vec<Polygon>, OutlineError> {
+///
+/// # Errors
+///
+/// No polygon has that name or index; names the first polygons.
+pub fn chosen(polygons: Vec<Polygon>, wanted: &str) -> Result<Vec<Polygon>, OutlineError> {
     let of_name = |polygon: &Polygon| polygon.feature.name.as_deref() == Some(wanted);
     let by_label = polygons.iter().any(|polygon| polygon.label == wanted);
     let by_name = !by_label && polygons.iter().any(of_name);
@@ -75,7 +79,7 @@ impl Outlines {
     ///
     /// # Errors
     ///
-    /// No polygon has that name or index; names the first polygons.
+    /// The error of [`chosen`].
     pub fn choose(&mut self, wanted: &str) -> Result<Vec<Polygon>, OutlineError> {
         let polygons = chosen(labelled(std::mem::take(&mut self.features)), wanted)?;
         self.features = polygons.iter().map(|polygon| polygon.feature.clone()).collect();

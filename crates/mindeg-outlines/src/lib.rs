@@ -15,7 +15,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! In a file with several polygons, [`labelled`] gives each a name of its own, and [`Outlines::choose`] takes the ones
+//! In a file with several polygons, [`labelled`] gives each a name of its own, and [`chosen`] takes the ones
 //! that somebody names.
 //!
 //! Readers take the bytes of a whole file and use memory in proportion to them. A malformed file is
@@ -55,7 +55,7 @@ mod text;
 mod vertices;
 mod wkt;
 
-pub use choice::{Listed, Polygon, labelled};
+pub use choice::{Listed, Polygon, chosen, labelled};
 pub use curve::{EllipseArc, PieceCurve, Segment};
 pub use error::OutlineError;
 pub use format::{OutlineFormat, read, read_selected};
