@@ -517,7 +517,19 @@ fn depths_tell_the_time_step_that_the_edges_allow() {
     assert!(run.json()["depths"]["dry"] == 0 && !run.errors.contains("above the water"));
     grid("half.asc", 10.0, 1000);
     let run = mesh(&[&path("half.asc")]);
-    assert!(run.errors.contains("lie beyond the grid of depths"), "{}", run.errors);
+    assert!(run.errors.contains("lie beyond the grid and got"), "{}", run.errors);
+    // A gap of 3 rows in the middle, in which some vertices are more than a row from any depth.
+    let [row, gap] = ["10 10 10 10 10\n", "-9999 -9999 -9999 -9999 -9999\n"];
+    let head = "ncols 5\nnrows 5\nxllcenter 0\nyllcenter 0\ncellsize 1000\n";
+    let text = [head, row, gap, gap, gap, row].concat();
+    fs::write(path("gap.asc"), text).expect("a file");
+    let run = mesh(&[&path("gap.asc")]);
+    assert!(run.errors.contains("lie in gaps of the grid and got the nearest"), "{}", run.errors);
+    let answer = run.json();
+    let points = fort14(Path::new(&path("sea.14"))).points;
+    let inside = points.iter().filter(|at| at[1] >= 1000.0 && at[1] < 3000.0).count();
+    assert_eq!(answer["depths"]["in_gaps"], inside);
+    assert_eq!(answer["depths"]["beyond"], 0);
     mesh(&[&path("even.asc"), "--least-depth", "-5"]).refuses(&["0 or more"]);
 }
 
@@ -724,6 +736,19 @@ fn a_stretch_of_open_water_and_the_land_of_a_box_are_one_boundary_each() {
     assert_eq!(counts(&["--open", "south", "--open", "east"]), [1, 1]);
     assert_eq!(counts(&["--open", "south", "--open", "west"]), [1, 1]);
     assert_eq!(counts(&[]), [0, 1]);
+    // A part with a name keeps it, from which sizes are told, and is in one boundary with the rest.
+    let corners = [[0, 0], [10, 0], [10, 10], [5, 8], [0, 10]];
+    let side = |intervals: u32| json!({"intervals": intervals});
+    let mouth = json!({"intervals": 5, "name": "mouth"});
+    let named = json!({"polygon": {"corners": corners}, "sides": [side(5), mouth, side(3), side(3), side(5)],
+        "interior": {"sizes": [{"from": ["mouth"], "size": 2}]}});
+    mindeg_reading(
+        ["mesh", "-", "--interior", "--open", "box", "-o", &out],
+        named.to_string().as_bytes(),
+    )
+    .text();
+    let text = fs::read_to_string(&out).expect("a file");
+    assert!(text.contains(" 16 = nodes of open boundary 1 (open, mouth)"), "{text}");
     // A time step is told with depths alone.
     let depths = path("depths.asc");
     let grid = "ncols 2\nnrows 2\nxllcorner 19\nyllcorner 35\ncellsize 2\n50 50\n50 50\n";

@@ -11,8 +11,8 @@ use serde::Serialize;
 const GRAVITY: f64 = 9.81;
 /// The Courant number that is safe, with which sizes are made, too.
 const SAFE: f64 = 0.5;
-/// Of more vertices than this share beyond the grid a warning tells.
-const MANY_BEYOND: f64 = 0.05;
+/// Of more vertices than this share without a depth of their own a warning tells.
+const MANY_WITHOUT: f64 = 0.05;
 
 /// A stretch of the boundary that was asked to be open water.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -43,6 +43,8 @@ pub struct DepthsAnswer {
     pub raised: usize,
     /// How many vertices lie beyond the grid of depths, and have the nearest.
     pub beyond: usize,
+    /// How many vertices lie in gaps of the grid, more than a cell from any depth, and have the nearest.
+    pub in_gaps: usize,
     /// How many vertices are above the water.
     pub dry: usize,
     /// Whether all depths of the grid at the vertices are above the water.
@@ -89,6 +91,7 @@ impl DepthsAnswer {
         if beyond == points.len() {
             return None;
         }
+        let is_in_gap = |point: &&DVec2| !depths.is_beyond(**point) && depths.is_in_gap(**point);
         let given: Vec<f64> = points.iter().map(|point| depths.at(*point)).collect();
         let limit = least.unwrap_or(f64::NEG_INFINITY);
         let raised = given.iter().filter(|depth| **depth < limit).count();
@@ -100,6 +103,7 @@ impl DepthsAnswer {
             greatest: values.iter().copied().fold(f64::NEG_INFINITY, f64::max),
             raised,
             beyond,
+            in_gaps: points.iter().filter(is_in_gap).count(),
             dry: values.iter().filter(|depth| **depth < 0.0).count(),
             is_dry,
             vertices: points.len(),
@@ -124,18 +128,25 @@ impl DepthsAnswer {
                 count(self.vertices as u64)
             );
         }
-        let beyond = count(self.beyond as u64);
-        let share = self.beyond as f64 / self.vertices as f64;
-        if self.beyond > 0 && share <= MANY_BEYOND {
-            words += &format!("; {beyond} beyond the grid, which got the nearest depth");
+        let without = [
+            (self.beyond, "beyond the grid", "a grid of the whole region"),
+            (self.in_gaps, "in gaps of the grid", "a grid without gaps"),
+        ];
+        let share = |vertices: usize| vertices as f64 / self.vertices as f64;
+        let (many, few): (Vec<_>, Vec<_>) = without
+            .into_iter()
+            .filter(|(vertices, ..)| *vertices > 0)
+            .partition(|(vertices, ..)| share(*vertices) > MANY_WITHOUT);
+        for (vertices, place, _) in few {
+            words += &format!("; {} {place}, which got the nearest depth", count(vertices as u64));
         }
         words.extend(self.courant.as_ref().map(CourantAnswer::text));
-        if share > MANY_BEYOND {
+        for (vertices, place, need) in many {
             words += &format!(
-                "\nwarning: {beyond} of {} vertices, {}, lie beyond the grid of depths and got the nearest depth: give a grid of \
-                 the whole region",
+                "\nwarning: {} of {} vertices, {}, lie {place} and got the nearest depth: give {need}",
+                count(vertices as u64),
                 count(self.vertices as u64),
-                percent(share)
+                percent(share(vertices))
             );
         }
         if self.is_dry {

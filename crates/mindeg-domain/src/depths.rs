@@ -125,14 +125,27 @@ impl Depths {
         !(at.cmpge(DVec2::splat(-0.5)).all() && at.cmple(last).all())
     }
 
+    /// Whether a point lies in a gap of the grid: none of the four values around it is known. Beyond the grid, those nearest to it
+    /// are asked.
+    #[must_use]
+    pub fn is_in_gap(&self, point: DVec2) -> bool {
+        let ([column, row], _) = self.cell(point);
+        let around = [row, row + 1].map(|row| row * self.columns + column);
+        !around.into_iter().any(|index| self.is_known[index] || self.is_known[index + 1])
+    }
+
+    /// The cell that a point is in, or the nearest one: its column and row, and where in it the point is.
+    fn cell(&self, point: DVec2) -> ([usize; 2], DVec2) {
+        let last = DVec2::new((self.columns - 1) as f64, (self.rows - 1) as f64);
+        let at = self.place(point).clamp(DVec2::ZERO, last);
+        let cell = [(at.x as usize).min(self.columns - 2), (at.y as usize).min(self.rows - 2)];
+        (cell, at - DVec2::new(cell[0] as f64, cell[1] as f64))
+    }
+
     /// The depth at a point: bilinear between four values; the nearest where none is known.
     #[must_use]
     pub fn at(&self, point: DVec2) -> f64 {
-        let last = DVec2::new((self.columns - 1) as f64, (self.rows - 1) as f64);
-        let at = self.place(point).clamp(DVec2::ZERO, last);
-        let (column, row) =
-            ((at.x as usize).min(self.columns - 2), (at.y as usize).min(self.rows - 2));
-        let share = at - DVec2::new(column as f64, row as f64);
+        let ([column, row], share) = self.cell(point);
         let value = |row: usize, column: usize| self.values[row * self.columns + column];
         let along =
             |row: usize| value(row, column) * (1.0 - share.x) + value(row, column + 1) * share.x;
@@ -272,6 +285,16 @@ mod tests {
         let stepped = size(DepthRules { time_step: Some(1000.0), ..both });
         assert!((stepped.size - 2000.0 * libm::sqrt(GRAVITY * 12.0)).abs() < 1e-6);
         assert!(beach().sizes(&rules, around).points.is_empty());
+    }
+
+    #[test]
+    fn a_gap_is_where_none_of_four_values_is_known() {
+        let value = |index| if [1, 2, 3].contains(&(index / 5)) { f64::NAN } else { 7.0 };
+        let values: Vec<f64> = (0..25).map(value).collect();
+        let depths = Depths::grid(DVec2::ZERO, DVec2::ONE, 5, &values).unwrap();
+        let is_in_gap = |y: f64| depths.is_in_gap(DVec2::new(2.5, y));
+        assert_eq!([0.5, 1.5, 2.5, 3.5].map(is_in_gap), [false, true, true, false]);
+        assert_eq!(depths.at(DVec2::new(2.5, 2.0)), 7.0);
     }
 
     #[test]

@@ -34,8 +34,8 @@ const NEAR: f64 = 1e-9;
 impl Domain {
     /// The same points, with sides that are open water, land or island. Sides end where open water does, and rings begin there.
     ///
-    /// Sides that have no name are called open, land or island, so that a file has few long boundaries; the open water of
-    /// [`OpenWater::Box`], and a stretch of sides with several names, is called open whatever its sides were called. A kind that a side has stays, but for open water.
+    /// Sides that have no name are called open, land or island, so that a file has few long boundaries; with [`OpenWater::Box`] so
+    /// are those that have their name from the box around degrees. Other names stay, and so does a kind, but for open water.
     /// Of the stretches that are on the box the longest is open: a box cuts bays and straits, too. With a `least_length` all
     /// stretches are open that are no shorter. The others are land; all are told.
     ///
@@ -101,7 +101,7 @@ impl Domain {
                     is_anywhere = true;
                     let edge = &mut asked[edge as usize];
                     match part {
-                        OpenWater::Box => (edge.is_of_box, edge.is_nameless) = (true, true),
+                        OpenWater::Box => edge.is_of_box = true,
                         OpenWater::Side(_) | OpenWater::Between(_) => edge.by_place = true,
                     }
                 }
@@ -116,11 +116,12 @@ impl Domain {
             };
             (0..).zip(asked).for_each(|(edge, own)| own.is_given = is_open(edge));
         }
+        let of_box = if parts.contains(&OpenWater::Box) { &BOX_SIDES[..] } else { &[] };
         let mut found = Vec::new();
         let mut opened = |(domain, mut asked): (&Self, Vec<Asked>)| {
             found.extend(openings(domain, &mut asked, least_length));
-            let marks = asked.iter().map(|edge| [edge.is_open(), edge.is_nameless]);
-            domain.opened(&marks.collect::<Vec<_>>())
+            let is_open: Vec<bool> = asked.into_iter().map(Asked::is_open).collect();
+            domain.opened(&is_open, domain.projection.map_or(&[], |_| of_box))
         };
         let new: Result<_, _> = domains.iter().zip(asked).map(&mut opened).collect();
         Ok((new?, found))
@@ -142,8 +143,8 @@ impl Domain {
         })
     }
 
-    /// The domain with open edges: whether each one is, and whether it loses its name.
-    fn opened(&self, marks: &[[bool; 2]]) -> Result<Self, DomainError> {
+    /// The domain with open edges: whether each one is. Some names of sides are lost.
+    fn opened(&self, is_open: &[bool], lost: &[&str]) -> Result<Self, DomainError> {
         let rings = self.rings();
         let mut new: Vec<Ring> = Vec::new();
         let mut is_split = false;
@@ -153,7 +154,7 @@ impl Domain {
                 let given = &self.sides()[side];
                 let first = rings.corner(side);
                 let edges = first..first + rings.intervals(side);
-                let mark = |edge: u32| marks[edge as usize];
+                let mark = |edge: u32| is_open[edge as usize];
                 let mut starts: Vec<u32> = vec![first];
                 starts.extend(edges.clone().skip(1).filter(|edge| mark(*edge) != mark(edge - 1)));
                 is_split |= starts.len() > 1;
@@ -170,7 +171,7 @@ impl Domain {
                         }
                     };
                     own.corners.push(self.placement().point(start));
-                    own.sides.push(told(part, ring > 0, mark(start)));
+                    own.sides.push(told(part, ring > 0, mark(start), lost));
                 }
             }
             if !self.is_constrained() {
@@ -349,29 +350,30 @@ pub fn first_names(names: &[String]) -> String {
     }
 }
 
-/// Turns a ring so that it begins where its kind changes: no stretch is in two parts.
+/// Turns a ring so that it begins where its kind changes, or else where its names do: no stretch is in two parts.
 fn begin_with_a_stretch(ring: &mut Ring) {
-    let told = |side: &Side| (side.name.clone(), side.kind);
+    let differ = |a: &Side, b: &Side| a.kind != b.kind;
+    let has_one_kind = ring.sides.windows(2).all(|pair| !differ(&pair[0], &pair[1]));
+    let differ = |a: &Side, b: &Side| differ(a, b) || has_one_kind && a.name != b.name;
     let (Some(first), Some(last)) = (ring.sides.first(), ring.sides.last()) else { return };
-    if told(first) != told(last) {
+    if differ(first, last) {
         return;
     }
-    let mut pairs = ring.sides.windows(2);
-    if let Some(at) = pairs.position(|pair| told(&pair[0]) != told(&pair[1])) {
+    if let Some(at) = ring.sides.windows(2).position(|pair| differ(&pair[0], &pair[1])) {
         ring.sides.rotate_left(at + 1);
         ring.corners.rotate_left(at + 1);
     }
 }
 
-/// A side with its kind, and with the name of its kind if it has none.
-fn told(side: Side, is_hole: bool, [is_open, is_nameless]: [bool; 2]) -> Side {
+/// A side with its kind, and with the name of its kind if it has none, or one that is lost.
+fn told(side: Side, is_hole: bool, is_open: bool, lost: &[&str]) -> Side {
     let kind = match side.kind {
         _ if is_open => LineKind::Open,
         Some(kind) => kind,
         None if is_hole => LineKind::Island,
         None => LineKind::Land,
     };
-    let name = side.name.clone().filter(|_| !is_nameless);
+    let name = side.name.clone().filter(|name| !lost.contains(&&**name));
     Side { name: name.or(Some(kind.name().to_owned())), kind: Some(kind), ..side }
 }
 
@@ -425,14 +427,15 @@ mod tests {
             vec![Side::count(2), named, Side::count(2), Side::count(1)],
         )
         .unwrap();
-        // Between points it passes by sides with and without names: one stretch, which has none.
+        // Between points it passes by sides with and without names: one stretch, and the names stay.
         let around = OpenWater::Between([[0.0, 0.0], [1.0, 1.0]].map(DVec2::from));
         let (found, openings) = domain.with_open_water(&[around], None).unwrap();
         let open_sides = |domain: &Domain| -> Vec<String> {
             sides(domain).into_iter().filter(|side| side.1 == open).map(|side| side.0).collect()
         };
-        assert!(openings.len() == 1 && open_sides(&found).iter().all(|name| name == "open"));
-        assert_eq!(open_sides(&found).len(), 3);
+        assert_eq!((openings.len(), &*open_sides(&found).join(" ")), (1, "open strait open"));
+        let (found, _) = domain.with_open_water(&[OpenWater::Box], None).unwrap();
+        assert!(open_sides(&found).contains(&"strait".to_owned()));
         let strait = OpenWater::Side("strait".to_owned());
         let (found, _) = domain.with_open_water(&[strait], None).unwrap();
         assert!(sides(&found).contains(&told("strait", open, 2)), "{:?}", sides(&found));
@@ -523,8 +526,9 @@ mod tests {
         let domain = Domain::rectangle(2.0, 1.0, given.to_vec()).unwrap();
         let (found, openings) = domain.with_open_water(&[], Some(100.0)).unwrap();
         assert_eq!(openings.len(), 1);
-        assert!(openings[0].is_open && open(&found).iter().all(|side| side.0 == "open"));
-        assert_eq!(open(&found).len(), 3);
+        assert!(openings[0].is_open);
+        let names: Vec<_> = open(&found).into_iter().map(|side| side.0).collect();
+        assert_eq!(names, ["north", "far", "west"]);
     }
 
     #[test]

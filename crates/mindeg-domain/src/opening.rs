@@ -14,8 +14,6 @@ pub(crate) struct Asked {
     pub(crate) by_place: bool,
     /// Its side is open water already.
     pub(crate) is_given: bool,
-    /// It has no name of its own: it is on the box, or of a stretch whose sides have several names.
-    pub(crate) is_nameless: bool,
 }
 
 impl Asked {
@@ -82,21 +80,8 @@ pub(crate) fn openings(
             found.push((stretch, Opening { length, ends, is_open }));
         }
     }
-    for (stretch, opening) in &found {
-        let name = |edge: &u32| {
-            let name = &domain.sides()[rings.side_of(*edge)].name;
-            name.as_ref().filter(|_| !asked[*edge as usize].is_nameless)
-        };
-        // A stretch is one boundary, by whatever sides it passes.
-        let has_one_name = stretch.windows(2).all(|pair| name(&pair[0]) == name(&pair[1]));
-        for edge in stretch {
-            let own = &mut asked[*edge as usize];
-            if opening.is_open {
-                own.is_nameless |= !has_one_name;
-            } else {
-                *own = Asked { is_nameless: own.is_nameless, ..Asked::default() };
-            }
-        }
+    for (stretch, _) in found.iter().filter(|(_, opening)| !opening.is_open) {
+        stretch.iter().for_each(|edge| asked[*edge as usize] = Asked::default());
     }
     found.into_iter().map(|(_, opening)| opening).collect()
 }

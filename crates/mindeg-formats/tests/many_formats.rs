@@ -527,6 +527,11 @@ fn holes_are_islands_and_have_a_point_inside() {
     assert_eq!(names(&read), ["sea", "coast", "rock, pier"]);
     let kinds = [LineKind::Open, LineKind::Land, LineKind::Island].map(Some);
     assert_eq!([0, 1, 2].map(|line| read.line_kind(line)), kinds);
+    // A pier of the island that is called land leaves it whole.
+    let pier = vec![None, None, Some(LineKind::Island), Some(LineKind::Land)];
+    let with_pier = write(&ring().with_line_kinds(pier), Format::Fort14, exact());
+    let island = " 4 1 = nodes of island boundary 3 (rock, pier)\n 5\n 8\n 7\n 6\n";
+    assert!(text(&with_pier, 0).ends_with(island), "{}", text(&with_pier, 0));
     let mut depths = [0.0; 8];
     read.fill_depths(0, &mut depths);
     assert_eq!(depths, [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]);

@@ -62,22 +62,30 @@ fn segments(boundary: &MarkedChains<'_>) -> [Vec<Segment>; 2] {
     let mut push = |ring: &[MarkedChain], is_ring: bool| {
         let others =
             if is_ring && boundary.is_hole(ring) { LineKind::Island } else { LineKind::Land };
-        let kind = |chain: &MarkedChain| chain.kind.unwrap_or(others);
-        if is_ring && ring.iter().all(|chain| kind(chain) == LineKind::Island) {
+        let kind = move |chain: &MarkedChain| chain.kind.unwrap_or(others);
+        // ADCIRC knows a whole island only, which its parts may call land.
+        let is = |wanted: LineKind| move |chain: &MarkedChain| kind(chain) == wanted;
+        let is_island = ring.iter().all(is(LineKind::Island))
+            || boundary.is_hole(ring)
+                && ring.iter().any(is(LineKind::Island))
+                && !ring.iter().any(is(LineKind::Open));
+        if is_ring && is_island {
             segments.push(Segment { kind: LineKind::Island, chains: ring.to_vec() });
             return;
         }
-        // A part of a ring cannot be an island.
+        // A part of a ring that is open elsewhere cannot be an island.
         let kind = |chain: &MarkedChain| match kind(chain) {
             LineKind::Open => LineKind::Open,
             LineKind::Land | LineKind::Island => LineKind::Land,
         };
         let name = |chain: &MarkedChain| &*boundary.names[chain.name as usize];
         let goes_on = |a: &MarkedChain, b: &MarkedChain| {
-            // A box around degrees cuts a sea into land by its sides.
-            let is_plain =
-                |name: &str| is_counted(name) || PLAIN.contains(&name) && kind(a) != LineKind::Open;
-            let is_one = a.name == b.name || [a, b].map(name).into_iter().all(is_plain);
+            let names = [a, b].map(name);
+            let is_plain = |name: &&str| is_counted(name) || PLAIN.contains(name);
+            // A box around degrees cuts a sea by its sides, and water is open beside a named part, too.
+            let is_one = a.name == b.name
+                || names.iter().all(is_plain)
+                || names.contains(&LineKind::Open.name());
             a.end == b.start && kind(a) == kind(b) && is_one
         };
         let mut chains = ring.to_vec();
