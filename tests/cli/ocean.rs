@@ -372,6 +372,47 @@ fn open_water_of_a_file_leaves_one_land_boundary() {
 }
 
 #[test]
+fn a_projection_that_geojson_names_is_that_of_its_coordinates() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("sea.14").display().to_string();
+    // 24 to 25° east and 38 to 39° north in UTM zone 35, with a bend of the coast in the north.
+    let ring = [
+        [236_632.0, 4_210_028.0],
+        [324_411.0, 4_207_637.0],
+        [326_876.0, 4_318_597.0],
+        [283_249.0, 4_308_598.0],
+        [240_318.0, 4_321_000.0],
+        [236_632.0, 4_210_028.0],
+    ];
+    let run = |crs: &str, options: &[&str]| {
+        let crs = json!({"type": "name", "properties": {"name": crs}});
+        let sea = json!({"type": "Polygon", "crs": crs, "coordinates": [ring]}).to_string();
+        let common = ["mesh", "-", "--interior", "--size", "15km", "-o", &out];
+        mindeg_reading([&common[..], options].concat(), sea.as_bytes())
+    };
+    let own = run("urn:ogc:def:crs:EPSG::32635", &["--open-between", "24,38", "25,38", "--json"]);
+    assert_eq!(own.json()["projection"], "+proj=utm +zone=35 +datum=WGS84");
+    assert!(own.errors.contains("is EPSG:32635: metres, by UTM zone 35 north"), "{}", own.errors);
+    let first = fort14(Path::new(&out)).points[0];
+    assert!((first[0] - 24.0).abs() < 1e-3 && (first[1] - 38.0).abs() < 1e-3, "{first:?}");
+    run("EPSG:32635", &["--project", "auto"]).text();
+    run("EPSG:32635", &["--project", "laea"]).refuses(&["says that it is projected already"]);
+    // Not known, and none: planar.
+    let unknown = run("EPSG:2100", &[]);
+    assert!(unknown.errors.contains("is EPSG:2100, which is not known here"), "{}", unknown.errors);
+    for options in [&[][..], &["--project", "none"]] {
+        let crs = if options.is_empty() { "EPSG:2100" } else { "EPSG:32635" };
+        run(crs, options).text();
+        assert_eq!(fort14(Path::new(&out)).points[0][..2], ring[0]);
+    }
+    let square =
+        br#"{"type": "Polygon", "crs": {"type": "name", "properties": {"name": "EPSG:32635"}},
+        "coordinates": [[[24, 38], [25, 38], [25, 39], [24, 38]]]}"#;
+    let degrees = mindeg_reading(["domain", "-", "--project", "auto"], square);
+    assert!(degrees.errors.contains("but the coordinates are within those of degrees"));
+}
+
+#[test]
 fn lines_inside_are_no_boundaries_of_an_ocean_model() {
     let folder = tempfile::tempdir().expect("a folder");
     let grid = folder.path().join("two.14").display().to_string();

@@ -42,6 +42,7 @@ mod matching;
 mod model;
 mod name;
 mod noding;
+mod on_box;
 mod open_water;
 mod opening;
 mod outline;

@@ -1,5 +1,6 @@
 //! The open water, the land and the islands of a coastal model, as kinds of sides.
 
+use std::borrow::Cow;
 use std::ops::Range;
 
 use glam::DVec2;
@@ -8,6 +9,7 @@ use mindeg_mesh::{LineKind, number};
 use crate::build::DomainBuilder;
 use crate::domain::Domain;
 use crate::error::{DomainError, Place};
+use crate::on_box::{BOX_SIDES, box_around};
 use crate::opening::{Asked, Opening, openings};
 use crate::outline::{Outline, Ring};
 use crate::side::{Intervals, Side};
@@ -15,7 +17,7 @@ use crate::side::{Intervals, Side};
 /// A part of the outer boundary that is open water.
 #[derive(Clone, Debug, PartialEq)]
 pub enum OpenWater {
-    /// The edges on the sides of the box around the domain: of its degrees if it was projected.
+    /// The edges on the sides of the box around the domain; if it was projected, also of the box around its degrees.
     Box,
     /// The sides of a name.
     Side(String),
@@ -24,12 +26,8 @@ pub enum OpenWater {
     Between([DVec2; 2]),
 }
 
-/// The names of the sides of projected outlines that lie on the box around all degrees.
-const BOX_SIDES: [&str; 4] = ["south", "east", "north", "west"];
 /// An end of open water is no farther from the boundary than this share of the size of all domains.
 const FAR: f64 = 0.1;
-/// An edge is on the box if it is no farther than this share of the box's size from it.
-const NEAR: f64 = 1e-9;
 
 impl Domain {
     /// The same points, with sides that are open water, land or island. Sides end where open water does, and rings begin there.
@@ -79,13 +77,15 @@ impl Domain {
         parts: &[OpenWater],
         least_length: Option<f64>,
     ) -> Result<(Vec<Self>, Vec<Opening>), DomainError> {
-        let all = Self::box_around(domains);
+        let bounds = domains.iter().map(|domain| domain.placement().bounds());
+        let corners = bounds.flat_map(|bounds| [bounds.min, bounds.max]);
+        let size = box_around(corners).map_or(0.0, |[least, most]| least.distance(most));
+        let of_box = Self::edges_on_box(domains);
         let none = |domain: &Self| vec![Asked::default(); domain.rings().vertex_count() as usize];
         let mut asked: Vec<Vec<Asked>> = domains.iter().map(none).collect();
         for part in parts {
             let nearest = match part {
                 OpenWater::Between(ends) => {
-                    let size = (all[1] - all[0]).length();
                     ends.iter().try_for_each(|end| Self::check_end(domains, *end, size))?;
                     let distances = domains.iter().map(|domain| domain.distance_of(ends));
                     distances.enumerate().min_by(|a, b| a.1.total_cmp(&b.1)).map(|it| it.0)
@@ -97,9 +97,16 @@ impl Domain {
                 if nearest.is_some_and(|nearest| nearest != index) {
                     continue;
                 }
-                for edge in domain.edges_of(part, all) {
-                    is_anywhere = true;
-                    let edge = &mut asked[edge as usize];
+                let edges = match part {
+                    OpenWater::Box => Cow::Borrowed(&of_box[index]),
+                    OpenWater::Side(name) => {
+                        Cow::Owned(domain.edges_of_sides(|side| domain.side_name(side) == *name))
+                    }
+                    OpenWater::Between(ends) => Cow::Owned(domain.edges_between(ends)),
+                };
+                is_anywhere |= !edges.is_empty();
+                for edge in edges.iter() {
+                    let edge = &mut asked[*edge as usize];
                     match part {
                         OpenWater::Box => edge.is_of_box = true,
                         OpenWater::Side(_) | OpenWater::Between(_) => edge.by_place = true,
@@ -125,22 +132,6 @@ impl Domain {
         };
         let new: Result<_, _> = domains.iter().zip(asked).map(&mut opened).collect();
         Ok((new?, found))
-    }
-
-    /// The first vertices of the edges of each domain's outer boundary that are on the box around all: of their degrees if they were
-    /// projected, whose sides have mindeg's names then.
-    #[must_use]
-    pub fn edges_on_box(domains: &[Self]) -> Vec<Vec<u32>> {
-        let all = Self::box_around(domains);
-        domains.iter().map(|domain| domain.edges_of(&OpenWater::Box, all)).collect()
-    }
-
-    fn box_around(domains: &[Self]) -> [DVec2; 2] {
-        let nothing = [DVec2::INFINITY, DVec2::NEG_INFINITY];
-        domains.iter().fold(nothing, |[low, high], domain| {
-            let bounds = domain.placement().bounds();
-            [low.min(bounds.min), high.max(bounds.max)]
-        })
     }
 
     /// The domain with open edges: whether each one is. Some names of sides are lost.
@@ -258,53 +249,21 @@ impl Domain {
         self.nearest_ring(ends).map_or(f64::INFINITY, |found| found.2)
     }
 
-    /// The first vertices of the edges of a part, if there are any; the box is given.
-    fn edges_of(&self, part: &OpenWater, all: [DVec2; 2]) -> Vec<u32> {
+    /// The first vertices of the edges of some sides.
+    pub(crate) fn edges_of_sides(&self, is_wanted: impl Fn(usize) -> bool) -> Vec<u32> {
         let rings = self.rings();
-        let of_sides = |is_wanted: &dyn Fn(usize) -> bool| -> Vec<u32> {
-            let sides = (0..rings.side_count()).filter(|side| is_wanted(*side));
-            sides
-                .flat_map(|side| rings.corner(side)..rings.corner(side) + rings.intervals(side))
-                .collect()
-        };
-        let outer: Vec<u32> = of_sides(&|side| rings.in_ring(side).ring == 0);
-        match part {
-            OpenWater::Box if self.projection.is_some() => of_sides(&|side| {
-                let is_name = |name: &str| BOX_SIDES.contains(&name);
-                rings.in_ring(side).ring == 0
-                    && self.sides()[side].name.as_deref().is_some_and(is_name)
-            }),
-            OpenWater::Box => self.on_box(&outer, all),
-            OpenWater::Side(name) => of_sides(&|side| self.side_name(side) == *name),
-            OpenWater::Between(ends) => {
-                let Some((ring, [from, to], _)) = self.nearest_ring(ends) else {
-                    return Vec::new();
-                };
-                let count = ring.len() as u32;
-                let steps = (to + count - from) % count;
-                (0..steps).map(|step| ring.start + (from - ring.start + step) % count).collect()
-            }
-        }
+        let sides = (0..rings.side_count()).filter(|side| is_wanted(*side));
+        sides
+            .flat_map(|side| rings.corner(side)..rings.corner(side) + rings.intervals(side))
+            .collect()
     }
 
-    /// The edges of the outer ring on a box.
-    fn on_box(&self, outer: &[u32], [least, most]: [DVec2; 2]) -> Vec<u32> {
-        let points: Vec<DVec2> =
-            outer.iter().map(|vertex| self.placement().point(*vertex)).collect();
-        let near = (most - least).max_element() * NEAR;
-        let sides: [fn(DVec2, [DVec2; 2]) -> f64; 4] = [
-            |point, box_| point.y - box_[0].y,
-            |point, box_| point.x - box_[1].x,
-            |point, box_| point.y - box_[1].y,
-            |point, box_| point.x - box_[0].x,
-        ];
-        let next = points.iter().cycle().skip(1);
-        let edges = outer.iter().zip(points.iter().zip(next));
-        let is_on = |(a, b): (&DVec2, &DVec2)| {
-            let is_near = |off: f64| off.abs() <= near;
-            sides.iter().any(|off| [a, b].iter().all(|end| is_near(off(**end, [least, most]))))
-        };
-        edges.filter(|(_, ends)| is_on(*ends)).map(|(vertex, _)| *vertex).collect()
+    /// The first vertices of the edges between two points.
+    fn edges_between(&self, ends: &[DVec2; 2]) -> Vec<u32> {
+        let Some((ring, [from, to], _)) = self.nearest_ring(ends) else { return Vec::new() };
+        let count = ring.len() as u32;
+        let steps = (to + count - from) % count;
+        (0..steps).map(|step| ring.start + (from - ring.start + step) % count).collect()
     }
 }
 

@@ -106,7 +106,7 @@ impl PolygonFile {
         let before = wanted.filter(|wanted| !options.repair || is_name(wanted));
         let chosen = before.map(|wanted| outlines.choose(wanted)).transpose().map_err(wrong)?;
         let is_in_degrees = options.project.is_none() && outlines.is_in_degrees();
-        let mut projection = None;
+        let mut projection = outlines.projection;
         if let Some(choice) = options.project {
             (outlines, projection) = outlines.projected(choice).map_err(wrong)?;
         }

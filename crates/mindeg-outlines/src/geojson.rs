@@ -49,7 +49,7 @@ pub(super) fn read(bytes: &[u8], selection: &Selection) -> Result<Outlines, Outl
     } else {
         reader.object(&document, &Path::Start, None)?;
     }
-    reader.end()
+    reader.end(&document)
 }
 
 /// Whether a text is JSON with the type of a GeoJSON or TopoJSON object.

@@ -130,6 +130,16 @@ impl Outlines {
             self.is_geographic = false;
             return Ok((self, None));
         }
+        if let Some(own) = self.projection {
+            return match choice {
+                ProjectionChoice::Auto => Ok((self, Some(own))),
+                ProjectionChoice::Given(wanted) if wanted == own => Ok((self, Some(own))),
+                _ => Err(wrong(format!(
+                    "its \"crs\" says that it is projected already, by {} ({own}): leave out --project",
+                    own.name()
+                ))),
+            };
+        }
         let rings = || self.features.iter().flat_map(|feature| &feature.rings);
         rings().flat_map(|ring| ring.segments()).try_for_each(check)?;
         self.inside.lines.iter().map(|line| line.segment).try_for_each(check)?;

@@ -5,7 +5,7 @@ use std::str::FromStr;
 use std::sync::Arc as Shared;
 
 use glam::DVec2;
-use mindeg_domain::InnerPoint;
+use mindeg_domain::{InnerPoint, Projection};
 use mindeg_mesh::LineKind;
 use mindeg_mesh::planar::{doubled_area, orientation};
 
@@ -30,6 +30,8 @@ pub struct Outlines {
     pub(super) shapes: Vec<Shape>,
     /// Whether coordinates are longitudes and latitudes.
     pub(super) is_geographic: bool,
+    /// The projection that the file says made its coordinates.
+    pub projection: Option<Projection>,
 }
 
 /// The kinds of sides, by the names that the sides have.

@@ -75,8 +75,8 @@ impl Outlines {
             ));
         }
         self.turn_inside([low.x, high.x]);
-        let Self { inside, kinds, notes, is_geographic, .. } = self;
-        let mut sea = Self { inside, kinds, notes, is_geographic, ..Self::default() };
+        let Self { inside, kinds, notes, is_geographic, projection, .. } = self;
+        let mut sea = Self { inside, kinds, notes, is_geographic, projection, ..Self::default() };
         sea.features.push(Feature { rings, ..Feature::default() });
         sea.end_shape();
         sea.clip_inside(0.0)?;

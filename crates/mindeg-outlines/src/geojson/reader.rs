@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use glam::DVec2;
+use mindeg_domain::Projection;
 use mindeg_mesh::LineKind;
 use serde_json::{Map, Value};
 
@@ -246,7 +247,37 @@ impl Reader<'_> {
         name
     }
 
-    pub(super) fn end(mut self) -> Result<Outlines, OutlineError> {
+    /// Takes the projection that the member `crs` of a document names: GeoJSON of 2008 had it, and GDAL writes it.
+    fn project(&mut self, document: &Value) {
+        let name = document.pointer("/crs/properties/name").and_then(Value::as_str);
+        let Some(code) = name.and_then(epsg) else { return };
+        if DEGREES.contains(&code) {
+            return;
+        }
+        if self.is_in_degrees() {
+            self.outlines.notes.push(format!(
+                "its \"crs\" is EPSG:{code}, but the coordinates are within those of degrees of longitude and latitude: left out"
+            ));
+            return;
+        }
+        let code = format!("EPSG:{code}");
+        let parsed: Result<Projection, _> = code.parse();
+        self.outlines.notes.push(match &parsed {
+            Ok(projection) => format!("its \"crs\" is {code}: metres, by {}", projection.name()),
+            Err(_) => format!(
+                "its \"crs\" is {code}, which is not known here: the coordinates are taken as planar, and of no place on the globe"
+            ),
+        });
+        self.outlines.projection = parsed.ok();
+    }
+
+    fn is_in_degrees(&self) -> bool {
+        self.largest[0] < 180.0 + 1e-9 && self.largest[1] <= 90.0
+    }
+
+    pub(super) fn end(mut self, document: &Value) -> Result<Outlines, OutlineError> {
+        self.project(document);
+        self.outlines.is_geographic = self.is_in_degrees();
         self.outlines.inside.drop_repeated_points();
         let marked = std::mem::take(&mut self.marked);
         if !self.outlines.features.is_empty() {
@@ -276,7 +307,6 @@ impl Reader<'_> {
         if self.outlines.features.is_empty() {
             return Err(Path::Start.error("no Polygon or MultiPolygon; the collection is empty"));
         }
-        self.outlines.is_geographic = self.largest[0] < 180.0 + 1e-9 && self.largest[1] <= 90.0;
         if let Some(wanted) = self.name_by.filter(|_| self.unnamed > 0) {
             let is_any = self.outlines.features.iter().any(|feature| feature.name.is_some());
             let mut others =
@@ -293,6 +323,16 @@ impl Reader<'_> {
         }
         Ok(self.outlines)
     }
+}
+
+/// The codes of EPSG for longitudes and latitudes.
+const DEGREES: [u32; 4] = [4326, 4258, 4269, 4979];
+
+/// The code of EPSG in a name, such as EPSG:32635 or urn:ogc:def:crs:EPSG::32635.
+fn epsg(name: &str) -> Option<u32> {
+    let mut words = name.rsplit(':');
+    let code = words.next()?.parse().ok()?;
+    words.any(|word| word.eq_ignore_ascii_case("epsg")).then_some(code)
 }
 
 fn as_name(value: &Value) -> Option<String> {
