@@ -42,7 +42,7 @@ pub(crate) fn run(arguments: &ImproveArguments) -> Result<(), Failure> {
         preset: arguments.preset.preset,
     };
     let mut unmet = demands.unmet_by(&improved.mesh, improved.after.min_angle);
-    unmet.extend(unmet_degrees(&improved.after, &wanted, false));
+    unmet.extend(unmet_degrees(&improved.after, &wanted, false, None));
     let end = met_or_written_anyway(&unmet, arguments.aims.write_anyway)?;
 
     let made = making.write(&improved.mesh)?;
@@ -81,10 +81,10 @@ fn text(file: &str, mesh: &TriMesh, improved: &ImprovedMesh) -> String {
         ),
         line("before:", before),
         line("after:", after),
-        local_limits(after),
+        local_limits(after, None),
         grading(after),
     ];
-    lines.extend(corners(after));
+    lines.extend(corners(after, None));
     let mut note = |count: u64, text: &str| {
         if count > 0 {
             lines.push(format!("{count} {text}"));
@@ -97,6 +97,6 @@ fn text(file: &str, mesh: &TriMesh, improved: &ImprovedMesh) -> String {
     );
     let others = mesh.non_triangles();
     note(others.quads + others.polygons, "larger faces were cut into triangles.");
-    lines.extend(violations(after).map(|violations| format!("warning: {violations}")));
+    lines.extend(violations(after, None).map(|violations| format!("warning: {violations}")));
     lines.join("\n")
 }

@@ -12,7 +12,7 @@ use crate::failure::Failure;
 use crate::interrupt::SESSION;
 use crate::making::Making;
 use mindeg::interior::{self, InteriorError, InteriorMesh};
-use mindeg::{Domain, Interior, Opening, Size};
+use mindeg::{Domain, Interior, Opening, Projection, Size};
 use mindeg_answers::advice::{HINTED, Purpose};
 use mindeg_answers::condition::ConditionAnswer;
 use mindeg_answers::interior::{
@@ -227,7 +227,7 @@ pub(super) fn run(
     let InteriorMesh { mesh, report, limit, .. } = &found;
     let lifting = Lifting::from_limit(domain, wanted, limit.clone(), 1).map_err(Failure::input)?;
     let mut unmet = arguments.demands(wanted.target_angle).unmet_by(mesh, report.min_angle);
-    unmet.extend(unmet_degrees(report, wanted, domain.is_constrained()));
+    unmet.extend(unmet_degrees(report, wanted, domain.is_constrained(), projection));
     let end = met_or_written_anyway(&unmet, arguments.interior.wanted.write_anyway)?;
 
     let made = making.write(mesh)?;
@@ -248,7 +248,7 @@ pub(super) fn run(
     let said = || {
         words_on(conditioned.as_ref(), &name(domain))
             .into_iter()
-            .chain([text(&name(domain), &found, &lifting, &summary)])
+            .chain([text(&name(domain), &found, projection, &lifting, &summary)])
             .chain(summary.ocean.words())
             .chain(beside.clone())
             .chain(domain.notes())
@@ -283,7 +283,7 @@ pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Res
     let InteriorMesh { mesh, report, limit, .. } = &found;
     let mut unmet = arguments.demands(wanted.target_angle).unmet_by(mesh, report.min_angle);
     let is_constrained = domains.iter().any(Domain::is_constrained);
-    unmet.extend(unmet_degrees(report, &wanted, is_constrained));
+    unmet.extend(unmet_degrees(report, &wanted, is_constrained, projection.as_ref()));
     let end = met_or_written_anyway(&unmet, arguments.interior.wanted.write_anyway)?;
 
     let made = making.write(mesh)?;
@@ -315,7 +315,7 @@ pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Res
     let said = || {
         words_on(conditioned.as_ref(), &shown(name.unwrap_or("map")))
             .into_iter()
-            .chain([text(&title(), &found, &lifting, &summary)])
+            .chain([text(&title(), &found, projection.as_ref(), &lifting, &summary)])
             .chain(summary.ocean.words())
             .chain(beside.clone())
             .collect::<Vec<_>>()
@@ -341,7 +341,13 @@ fn refused(domain: &Domain, wanted: &Interior, error: &InteriorError) -> Failure
     Failure::Input(format!("{error}{option}"))
 }
 
-fn text(title: &str, found: &InteriorMesh, lifting: &Lifting, summary: &Summary<'_>) -> String {
+fn text(
+    title: &str,
+    found: &InteriorMesh,
+    projection: Option<&Projection>,
+    lifting: &Lifting,
+    summary: &Summary<'_>,
+) -> String {
     let report = &found.report;
     let mut lines = vec![
         format!(
@@ -353,12 +359,12 @@ fn text(title: &str, found: &InteriorMesh, lifting: &Lifting, summary: &Summary<
             angles_and_degrees(report),
         ),
         lifting.text(),
-        local_limits(report),
+        local_limits(report, projection),
         grading(report),
     ];
     lines.extend(sizes(report));
-    lines.extend(coarse_sides(found));
-    lines.extend(corners(report));
-    lines.extend(violations(report).map(|violations| format!("warning: {violations}")));
+    lines.extend(coarse_sides(found, projection));
+    lines.extend(corners(report, projection));
+    lines.extend(violations(report, projection).map(|violations| format!("warning: {violations}")));
     lines.join("\n")
 }

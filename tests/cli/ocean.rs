@@ -211,6 +211,19 @@ fn a_coast_in_degrees_becomes_a_grid_with_open_water_islands_and_depths() {
         assert_eq!(fort14(Path::new(&at("open.14"))).open.len(), count);
         assert_eq!(run.errors.contains("2 stretches shorter than 30km are land"), count == 3);
     }
+    // Places are told in degrees, as the file has them.
+    let raw = mindeg([
+        "mesh",
+        &coast(),
+        "--project",
+        "auto",
+        "--interior",
+        "--size",
+        "2km",
+        "-o",
+        &at("raw.14"),
+    ]);
+    assert!(raw.errors.contains(" at longitude 23.456, latitude 37.9733 (limit"));
     // Without its projection the file is in metres.
     mindeg(["mesh", &at("sea.json"), "--interior", "--project", "none", "-o", &at("metres.14")]);
     let metres = fort14(Path::new(&at("metres.14")));

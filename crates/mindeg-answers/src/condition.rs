@@ -3,7 +3,7 @@
 mod places;
 
 pub use places::ShortestEdge;
-pub(crate) use places::place_in_words;
+pub(crate) use places::{place_in_words, placed};
 
 use crate::numbers::{count, number, steady_angle};
 use mindeg::Domain;

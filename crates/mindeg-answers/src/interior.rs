@@ -1,13 +1,14 @@
 //! The properties of a mesh with interior points.
 
+use crate::condition::placed;
 use crate::names::{NAMED, listed};
-use crate::numbers::{coordinate, number, percent, steady_angle};
+use crate::numbers::{number, percent, steady_angle};
 use crate::proven::{TogetherAnswer, certified, together};
-use mindeg::Interior;
 use mindeg::interior::{
     CertifiedVertex, CoarseSide, CornerTradeOff, InteriorMesh, InteriorReport, LocalShares,
     SizeReport, Violation,
 };
+use mindeg::{Interior, Projection};
 use serde::Serialize;
 use std::cmp::Ordering;
 use std::ops::RangeInclusive;
@@ -237,12 +238,12 @@ pub fn grading(report: &InteriorReport) -> String {
 
 /// The triangles beside the limits of their places, in a sentence.
 #[must_use]
-pub fn local_limits(report: &InteriorReport) -> String {
+pub fn local_limits(report: &InteriorReport, projection: Option<&Projection>) -> String {
     let local = &report.local;
     if local.worst > 0.9995 {
         return format!("Each triangle reaches the limit of its place (at most {}°).", local.most);
     }
-    let [x, y] = local.at.to_array().map(coordinate);
+    let place = placed(projection, local.at);
     let decides = match decided_by(local) {
         "gap" => ", decided by a gap",
         "corner" => ", decided by the edges there",
@@ -254,7 +255,7 @@ pub fn local_limits(report: &InteriorReport) -> String {
         count => format!("{count} are"),
     };
     format!(
-        "Of the limit of its place (at most {}°) each triangle reaches {} or more, the least at vertex {} at ({x}, {y}) \
+        "Of the limit of its place (at most {}°) each triangle reaches {} or more, the least at vertex {} at {place} \
          (limit {}{decides}); 99 of 100 reach {}; {below} below 90%.",
         local.most,
         percent(local.worst),
@@ -266,17 +267,17 @@ pub fn local_limits(report: &InteriorReport) -> String {
 
 /// The corners whose degree limits cost angle with their tables, if there are any.
 #[must_use]
-pub fn corners(report: &InteriorReport) -> Option<String> {
+pub fn corners(report: &InteriorReport, projection: Option<&Projection>) -> Option<String> {
     let row = |(degree, angle): &(u32, f64)| format!("{} with {degree}", steady_angle(*angle));
     let table = |corner: &CornerTradeOff| {
-        let [x, y] = corner.at.to_array().map(coordinate);
         let mut rows: Vec<String> = corner.angles.iter().map(row).collect();
         if rows.len() > MOST_DEGREES {
             rows.splice(MOST_DEGREES - 1..rows.len() - 1, ["…".to_owned()]);
         }
         format!(
-            "  vertex {} at ({x}, {y}) has {} edges: {}",
+            "  vertex {} at {} has {} edges: {}",
             corner.vertex,
+            placed(projection, corner.at),
             corner.degree,
             rows.join(", ")
         )
@@ -303,10 +304,10 @@ pub fn corners(report: &InteriorReport) -> Option<String> {
 
 /// The violations with their places, and which of them are in every mesh, if there are any.
 #[must_use]
-pub fn violations(report: &InteriorReport) -> Option<String> {
-    let text = named(report.violations.iter()).into_iter().chain(outside(report));
+pub fn violations(report: &InteriorReport, projection: Option<&Projection>) -> Option<String> {
+    let text = named(report.violations.iter(), projection).into_iter().chain(outside(report));
     let text = text.reduce(|all, one| format!("{all}. {one}"))?;
-    let proofs = certified(report).into_iter().chain(together(report));
+    let proofs = certified(report, projection).into_iter().chain(together(report, projection));
     Some(proofs.fold(text, |text, proof| format!("{text}. {proof}")))
 }
 
@@ -317,11 +318,13 @@ pub fn unmet_degrees(
     report: &InteriorReport,
     wanted: &Interior,
     has_degree_limits: bool,
+    projection: Option<&Projection>,
 ) -> Option<String> {
-    let unmet = named(report.violations.iter().filter(|violation| match violation.is_boundary {
+    let is_demanded = |violation: &&Violation| match violation.is_boundary {
         true => wanted.boundary_degree.is_some() || has_degree_limits,
         false => wanted.interior_degree.is_some(),
-    }));
+    };
+    let unmet = named(report.violations.iter().filter(is_demanded), projection);
     let all: Vec<String> = unmet.into_iter().chain(outside(report)).collect();
     (!all.is_empty()).then(|| all.join("; "))
 }
@@ -338,11 +341,14 @@ fn outside(report: &InteriorReport) -> Option<String> {
     ))
 }
 
-fn named<'a>(violations: impl Iterator<Item = &'a Violation>) -> Option<String> {
+fn named<'a>(
+    violations: impl Iterator<Item = &'a Violation>,
+    projection: Option<&Projection>,
+) -> Option<String> {
     let place = |violation: &Violation| {
-        let [x, y] = violation.at.to_array().map(coordinate);
         let kind = if violation.is_boundary { "boundary" } else { "interior" };
-        format!("vertex {} at ({x}, {y}) has {} ({kind})", violation.vertex, violation.degree)
+        let at = placed(projection, violation.at);
+        format!("vertex {} at {at} has {} ({kind})", violation.vertex, violation.degree)
     };
     let violations: Vec<&Violation> = violations.collect();
     let are = match violations.len() {
@@ -371,7 +377,7 @@ mod tests {
             r#"{"rectangle": {"width": 10, "height": 10},
                 "sides": [{"intervals": 1}, {"intervals": 3}, {"intervals": 3}, {"intervals": 100}]}"#,
         );
-        let text = corners(&report).unwrap();
+        let text = corners(&report, None).unwrap();
         assert!(text.starts_with("2 degree limits cost angle."), "{text}");
         assert!(text.contains("has 5 edges: 9.702° with 5, 11.199° with 6"), "{text}");
         let json = serde_json::to_value(InteriorAnswer::from(&report)).unwrap();
@@ -390,7 +396,7 @@ mod tests {
         let lines = lines.join(", ");
         let domain = r#"{"polygon": {"corners": [[-9, -9], [9, -9], [9, 9], [-9, 9]]}, "size": 3"#;
         let report = report(&format!(r#"{domain}, "lines": [{lines}]}}"#));
-        let text = violations(&report).unwrap();
+        let text = violations(&report, None).unwrap();
         let center = report.certified[0].vertex;
         let proof = format!(
             ". No mesh keeps the degree limit of 1 vertex: vertex {center} at (0, 0), where 9 edges meet that \
@@ -410,7 +416,7 @@ mod tests {
         let angles = vec![(3, 10.0), (4, 12.0)];
         report.together =
             vec![TogetherBound { vertices: vec![3, 4], at, more: 1, share: 0.5, angles }];
-        let text = violations(&report).unwrap();
+        let text = violations(&report, None).unwrap();
         let proof = ". No mesh with so much of the angles there has fewer edges above the limits: \
                      1 at vertices 3 and 4 at (1, 2) (with 50%)";
         assert!(text.ends_with(proof), "{text}");
@@ -426,20 +432,20 @@ mod tests {
     fn limits_of_places_are_told_in_a_sentence() {
         let square = r#"{"rectangle": {"width": 4, "height": 4}, "size": 1}"#;
         let mut report = report(square);
-        assert_eq!(corners(&report), None);
+        assert_eq!(corners(&report, None), None);
         assert_eq!(
-            local_limits(&report),
+            local_limits(&report, None),
             "Each triangle reaches the limit of its place (at most 35°)."
         );
         report.local.most = 40.0;
-        assert!(local_limits(&report).ends_with("(at most 40°)."));
+        assert!(local_limits(&report, None).ends_with("(at most 40°)."));
         report.local.worst = 0.5;
         report.local.limit = 20.0;
         report.local.below = 2;
-        let text = local_limits(&report);
+        let text = local_limits(&report, None);
         assert!(text.contains("reaches 50% or more") && text.contains("2 are below 90%"), "{text}");
         assert!(text.contains("(limit 20.000°, decided by the edges there)"), "{text}");
         report.local.is_tent = true;
-        assert!(local_limits(&report).contains("decided by a gap"));
+        assert!(local_limits(&report, None).contains("decided by a gap"));
     }
 }

@@ -1,7 +1,9 @@
 //! Degree limits that no mesh keeps, with their proofs.
 
+use crate::condition::placed;
 use crate::names::listed;
-use crate::numbers::{coordinate, percent};
+use crate::numbers::percent;
+use mindeg::Projection;
 use mindeg::interior::{CertifiedVertex, InteriorReport, TogetherBound};
 use serde::Serialize;
 
@@ -37,13 +39,13 @@ impl From<&TogetherBound> for TogetherAnswer {
 }
 
 /// The groups of vertices that no mesh brings nearer to their limits at such angles, if there are any.
-pub(crate) fn together(report: &InteriorReport) -> Option<String> {
+pub(crate) fn together(report: &InteriorReport, projection: Option<&Projection>) -> Option<String> {
     let place = |bound: &TogetherBound| {
-        let [x, y] = bound.at.to_array().map(coordinate);
+        let at = placed(projection, bound.at);
         let names: Vec<String> = bound.vertices.iter().map(u32::to_string).collect();
         let vertices = if names.len() == 1 { "vertex" } else { "vertices" };
         let (names, share) = (names.join(" and "), percent(bound.share));
-        format!("{} at {vertices} {names} at ({x}, {y}) (with {share})", bound.more)
+        format!("{} at {vertices} {names} at {at} (with {share})", bound.more)
     };
     if report.together.is_empty() {
         return None;
@@ -55,12 +57,15 @@ pub(crate) fn together(report: &InteriorReport) -> Option<String> {
 }
 
 /// The vertices whose degree limit no mesh keeps, if there are any.
-pub(crate) fn certified(report: &InteriorReport) -> Option<String> {
+pub(crate) fn certified(
+    report: &InteriorReport,
+    projection: Option<&Projection>,
+) -> Option<String> {
     let place = |certified: &CertifiedVertex| {
         let CertifiedVertex { vertex, at, edges, degree_limit, least_degree } = certified;
-        let [x, y] = at.to_array().map(coordinate);
+        let at = placed(projection, *at);
         format!(
-            "vertex {vertex} at ({x}, {y}), where {} edges meet that stay, has {least_degree} or more (limit \
+            "vertex {vertex} at {at}, where {} edges meet that stay, has {least_degree} or more (limit \
              {degree_limit})",
             edges.len()
         )

@@ -1,9 +1,10 @@
 //! The sizes of a mesh with interior points, and where the boundary contradicts those asked for.
 
+use crate::condition::placed;
 use crate::names::listed;
 use crate::numbers::{coordinate, number, percent};
 use mindeg::interior::{CoarseSide, InteriorMesh, InteriorReport};
-use mindeg::{Domain, Size};
+use mindeg::{Domain, Projection, Size};
 use mindeg_mesh::Bounds;
 
 /// The edges beside the sizes wanted, in a sentence; none without interior points.
@@ -20,8 +21,8 @@ pub fn sizes(report: &InteriorReport) -> Option<String> {
 /// The sides and lines that contradict the sizes asked for, and the way out, if there are any; or the reason why there
 /// are no interior points.
 #[must_use]
-pub fn coarse_sides(found: &InteriorMesh) -> Option<String> {
-    if let Some((problem, least)) = too_coarse(found) {
+pub fn coarse_sides(found: &InteriorMesh, projection: Option<&Projection>) -> Option<String> {
+    if let Some((problem, least)) = too_coarse(found, projection) {
         return Some(format!(
             "warning: {problem}. Give these sides more intervals, or all of them --size {least}."
         ));
@@ -71,17 +72,20 @@ pub fn sizes_beside(domains: &[Domain], sizes: &[Size]) -> Option<String> {
 
 /// The sides and lines that contradict the sizes asked for, in words, and a size that would do for all.
 #[must_use]
-pub fn too_coarse(found: &InteriorMesh) -> Option<(String, String)> {
+pub fn too_coarse(
+    found: &InteriorMesh,
+    projection: Option<&Projection>,
+) -> Option<(String, String)> {
     let place = |side: &CoarseSide| {
-        let [x, y] = side.at.to_array().map(coordinate);
         let [length, size] = [side.length, side.size].map(number);
         let intervals = |count: u64| match count {
             1 => "1 interval".to_owned(),
             count => format!("{count} intervals"),
         };
         format!(
-            "{} has an edge {length} long at ({x}, {y}) where the size asked for is {size}, which takes {} on it, not {}",
+            "{} has an edge {length} long at {} where the size asked for is {size}, which takes {} on it, not {}",
             side.name,
+            placed(projection, side.at),
             intervals(side.wanted_intervals),
             side.intervals,
         )

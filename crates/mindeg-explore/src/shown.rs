@@ -168,9 +168,11 @@ impl Figure {
                     report.interior_points,
                     triangles(report.triangles as u64),
                     angles_and_degrees(report),
-                    local_limits(report),
+                    local_limits(report, domain.projection()),
                 );
-                words.extend(coarse_sides(found).map(|sides| format!(" {sides}")));
+                words.extend(
+                    coarse_sides(found, domain.projection()).map(|sides| format!(" {sides}")),
+                );
                 Self { words, marks: marks(domain, found), ..figure }
             }
         }

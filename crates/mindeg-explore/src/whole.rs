@@ -106,7 +106,7 @@ impl Map {
                 triangles(report.triangles as u64),
                 self.domains.len(),
                 angles_and_degrees(report),
-                local_limits(report)
+                local_limits(report, self.domains[0].projection())
             );
             return Ok((found.mesh.named(name), words));
         };

@@ -117,7 +117,7 @@ impl Wish<'_> {
             domain = Cow::Owned(given);
         }
         let found = done(py, |progress| mindeg::interior::mesh(&domain, &wanted, progress))?;
-        if let Some((problem, least)) = too_coarse(&found) {
+        if let Some((problem, least)) = too_coarse(&found, domain.projection()) {
             let words = format!(
                 "{problem}. Give these sides more intervals, or make the domain with size={least}"
             );

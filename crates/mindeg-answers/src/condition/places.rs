@@ -1,8 +1,8 @@
 //! Places of a boundary, in degrees and in words, and its shortest edge.
 
 use crate::numbers;
-use mindeg::Domain;
 use mindeg::glam::DVec2;
+use mindeg::{Domain, Projection};
 use mindeg_mesh::number;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -64,6 +64,12 @@ pub(crate) fn place_in_words(degrees: Option<[f64; 2]>, at: [f64; 2]) -> String 
         }
         (None, at) => numbers::place(&at),
     }
+}
+
+/// A place of the plane as a sentence has it: in degrees if the domain was projected.
+pub(crate) fn placed(projection: Option<&Projection>, at: DVec2) -> String {
+    let degrees = projection.map(|projection| projection.to_degrees(at).to_array());
+    place_in_words(degrees, at.to_array())
 }
 
 /// Degrees of longitude and latitude, to nine decimals, of a point of a projected domain.
