@@ -33,9 +33,9 @@ const ROUND_THE_WORLD: f64 = 360.0;
 
 impl Subject {
     /// Refuses lengths in metres where coordinates are degrees, and lengths that no degrees are.
-    pub(crate) fn refuse_degrees<const N: usize>(
+    pub(crate) fn refuse_degrees<'a>(
         &self,
-        lengths: [(&str, Option<Length>); N],
+        lengths: impl IntoIterator<Item = (&'a str, Option<Length>)>,
     ) -> Result<(), Failure> {
         let Self::Polygons(polygons) = self else { return Ok(()) };
         if !polygons.is_in_degrees {
@@ -230,7 +230,8 @@ pub(crate) fn opened(
 ) -> Result<Subject, Failure> {
     let input = Input::of(path);
     let name = input.name();
-    let division = Division { corner_angle: options.corner_angle, size };
+    let sizes = options.size_of.iter().map(|(name, size)| (name.clone(), size.value)).collect();
+    let division = Division { corner_angle: options.corner_angle, size, sizes };
     let OutlineOptions { sea_in, project, repair, separate, snap, fill_rule, .. } = *options;
     let selection = Selection { layer: options.layer.clone(), name_by: options.name_by.clone() };
     let (repair, parts_holes) = (repair || options.mends.is_some(), options.mends);
@@ -274,7 +275,8 @@ pub(crate) fn opened(
             Taken::Polygons.refuse_unused(&name)?;
             polygons.notes.iter().for_each(|note| say(&format!("{name}: {note}")));
             let subject = Subject::Polygons(polygons);
-            subject.refuse_degrees([("--snap", snap)])?;
+            let lengths = options.size_of.iter().map(|(_, size)| ("--size-of", Some(*size)));
+            subject.refuse_degrees(lengths.chain([("--snap", snap)]))?;
             subject
         }
         Content::Mesh(mesh) => {

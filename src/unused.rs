@@ -44,6 +44,7 @@ const GROUPS: [Group; 8] = [
             "name_by",
             "sea_in",
             "project",
+            "size_of",
             "snap",
             "fill_rule",
             "corner_angle",

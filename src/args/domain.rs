@@ -2,6 +2,7 @@
 
 use super::values::{
     Corners, IntervalCounts, Length, RectangleSize, angle, box_corners, length_with_unit,
+    named_length,
 };
 use clap::parser::ValueSource;
 use clap::{ArgMatches, Args};
@@ -113,11 +114,14 @@ pub(crate) struct OutlineOptions {
     #[arg(long, value_name = "W,S,E,N", value_parser = box_corners, requires = "domain", allow_hyphen_values = true)]
     pub(crate) sea_in: Option<[f64; 4]>,
 
-    /// Make metres of longitudes and latitudes: auto, utm, laea, stereographic, EPSG:N or a definition of PROJ's such as
-    /// "+proj=utm +zone=35"; none takes degrees as planar. The domain remembers it, until none: formats in degrees get
-    /// degrees again
+    /// Make metres of degrees: auto, utm, laea, stereographic, EPSG:N or a definition of PROJ's; none takes them as planar.
+    /// The domain remembers it: formats in degrees get degrees again
     #[arg(long, value_name = "PROJECTION", requires = "domain", allow_hyphen_values = true)]
     pub(crate) project: Option<ProjectionChoice>,
+
+    /// The size of sides and lines of a name, such as river=200m; may be repeated
+    #[arg(long, value_name = "NAME=S", value_parser = named_length, requires = "domain")]
+    pub(crate) size_of: Vec<(String, Length)>,
 
     /// Part rings that cross or touch, drop what has no area, give crossing lines a point there
     #[arg(long, requires = "domain")]

@@ -15,7 +15,7 @@ const OF_MESH: &Groups = &[
 ];
 
 /// Options that `-h` hides in all other commands: few users need them, and `--help` shows them.
-const HIDDEN: [&str; 27] = [
+const HIDDEN: [&str; 28] = [
     "feature",
     "proof",
     "format",
@@ -29,6 +29,7 @@ const HIDDEN: [&str; 27] = [
     "layer",
     "name_by",
     "sea_in",
+    "size_of",
     "snap",
     "fill_rule",
     "corner_angle",

@@ -25,8 +25,7 @@ pub(crate) struct InteriorArguments {
     #[arg(long, conflicts_with = "interior")]
     pub(crate) no_interior: bool,
 
-    /// Sizes between points: ESRI's .asc, classic NetCDF, NPZ with values, origin, spacing, .npy of a grid's x, y, value, MSH
-    /// or VTU with data at points. May be repeated; the least holds
+    /// Sizes of a grid or mesh: .asc, classic NetCDF, NPZ, .npy, MSH, VTU; the least of several holds
     #[arg(long, value_name = "FILE")]
     pub(crate) sizes: Vec<PathBuf>,
 

@@ -22,8 +22,7 @@ pub(crate) struct BoundaryKinds {
     #[arg(long, value_name = "box|NAME")]
     pub(crate) open: Vec<String>,
 
-    /// The boundary from the vertex nearest to one point to that nearest to another, counter-clockwise, is open
-    /// water; in degrees if the domain was projected. May be repeated
+    /// The boundary counter-clockwise from one point to another is open water; may be repeated
     #[arg(long, value_name = "x,y", num_args = 2, value_parser = place, allow_hyphen_values = true)]
     pub(crate) open_between: Vec<[f64; 2]>,
 

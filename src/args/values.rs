@@ -148,6 +148,15 @@ pub(crate) fn length_with_unit(text: &str) -> Result<Length, String> {
         .ok_or_else(|| with_decimal_hint(text, "give a length above 0, such as 0.5 or 2km"))
 }
 
+/// A length for a name, such as `river=200m`.
+pub(crate) fn named_length(text: &str) -> Result<(String, Length), String> {
+    let (name, length) = text
+        .rsplit_once('=')
+        .filter(|(name, _)| !name.is_empty())
+        .ok_or("give a name and a size, such as river=200m")?;
+    Ok((name.to_owned(), length_with_unit(length)?))
+}
+
 /// A distance such as `0` or `500m`.
 pub(crate) fn distance(text: &str) -> Result<Length, String> {
     let zero = (text.trim() == "0").then_some(Length { value: 0.0, is_metric: false });

@@ -426,6 +426,43 @@ fn a_projection_that_geojson_names_is_that_of_its_coordinates() {
 }
 
 #[test]
+fn sides_and_lines_of_a_name_have_a_size_of_their_own() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("sea.14").display().to_string();
+    let line = |properties: Value, points: Value| {
+        let geometry = json!({"type": "LineString", "coordinates": points});
+        json!({"type": "Feature", "properties": properties, "geometry": geometry})
+    };
+    let ring = json!([[[24, 38], [24.5, 38], [24.5, 38.5], [24, 38.5], [24, 38]]]);
+    let polygon = json!({"type": "Polygon", "coordinates": ring});
+    let sea = json!({"type": "FeatureCollection", "features": [
+        {"type": "Feature", "properties": {}, "geometry": polygon},
+        line(json!({"kind": "land", "name": "quay"}), json!([[24.5, 38.5], [24, 38.5]])),
+        line(json!({"name": "cable"}), json!([[24.2, 38.25], [24.24, 38.25]]))]});
+    let run = |options: &[&str], more: &[&str]| {
+        let common = ["mesh", "-", "--interior", "--size", "6km", "-o", &out];
+        mindeg_reading([&common[..], options, more].concat(), sea.to_string().as_bytes())
+    };
+    let projected = ["--project", "auto"];
+    let count = |options: &[&str], is_there: &dyn Fn(&[f64; 3]) -> bool| {
+        run(options, &projected).text();
+        fort14(Path::new(&out)).points.iter().filter(|at| is_there(at)).count()
+    };
+    let quay = |at: &[f64; 3]| (at[1] - 38.5).abs() < 1e-3;
+    let cable = |at: &[f64; 3]| (at[1] - 38.25).abs() < 1e-4 && (24.19..24.25).contains(&at[0]);
+    // 43.6 and 3.5 km long.
+    assert_eq!(count(&[], &quay), 8);
+    assert_eq!(count(&["--size-of", "quay=1km", "--size-of", "cable=500m"], &quay), 45);
+    assert_eq!(count(&["--size-of", "cable=500m"], &cable), 8);
+    run(&["--size-of", "pipe=900m"], &projected)
+        .refuses(&["no side or line is called \"pipe\"; there are cable, east, quay, south, west"]);
+    run(&["--size-of", "cable"], &projected).refuses(&["such as river=200m"]);
+    run(&["--size-of", "cable=900m"], &["--project", "none"]).text();
+    let alone = ["mesh", "-", "--interior", "--size-of", "cable=900m", "-o", &out];
+    mindeg_reading(alone, sea.to_string().as_bytes()).refuses(&["--size-of is in metres"]);
+}
+
+#[test]
 fn lines_inside_are_no_boundaries_of_an_ocean_model() {
     let folder = tempfile::tempdir().expect("a folder");
     let grid = folder.path().join("two.14").display().to_string();

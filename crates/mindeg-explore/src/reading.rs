@@ -49,9 +49,10 @@ pub fn sources(
         let alone = sources.filter(|source| source.message.is_some() && !source.is_solid).count();
         alone + usize::from(found.no_map.is_some())
     };
-    let division = Division { size, ..Division::default() };
-    let read =
-        |repair| read(session, input, &ReadOptions { repair, division, ..ReadOptions::default() });
+    let read = |repair| {
+        let division = Division { size, ..Division::default() };
+        read(session, input, &ReadOptions { repair, division, ..ReadOptions::default() })
+    };
     let (mut found, is_repaired) = repaired_if_refused(read, refused)?;
     if is_repaired {
         for source in found.sources.iter_mut().filter(|source| source.message.is_none()) {

@@ -4,7 +4,7 @@ use crate::error::FileError;
 use crate::input::Input;
 use crate::session::Session;
 use glam::DVec2;
-use mindeg_domain::{Domain, Projection};
+use mindeg_domain::{Domain, Projection, first_names};
 use mindeg_outlines::{
     self as outlines, Division, DrawnInside, FillRule, Listed, OutlineError, OutlineFormat,
     Outlines, PeriodicCurve, Polygon, ProjectionChoice, Selection, SideKinds, with_kinds,
@@ -168,7 +168,7 @@ impl PolygonFile {
                 .or_else(|| input.path().and_then(plain_stem).map(str::to_owned)),
             is_in_degrees,
             projection,
-            division: options.division,
+            division: options.division.clone(),
             is_repaired: options.repair,
             dashes: session.dashes(),
         })
@@ -198,11 +198,34 @@ impl PolygonFile {
             .and_then(|domain| with_periodic_sides(domain, &self.periodic))
             .and_then(|domain| with_kinds(domain, &self.kinds))
             .map(|domain| domain.with_projection(self.projection));
-        domain.map_err(|error| {
+        let domain = domain.map_err(|error| {
             let said = error.to_string();
             let is_well = || polygon.domain(&Division::default()).is_ok();
             FileError::wrong(self.with_hint(said, error.is_touch, is_well)).of(&polygon.name())
-        })
+        })?;
+        if self.polygons.len() == 1 {
+            self.check_sizes(std::slice::from_ref(&domain))?;
+        }
+        Ok(domain)
+    }
+
+    /// Refuses a size of sides and lines whose name there is not.
+    fn check_sizes(&self, domains: &[Domain]) -> Result<(), FileError> {
+        let of = |domain: &Domain| -> Vec<String> {
+            let sides = (0..domain.rings().side_count()).map(|side| domain.side_name(side));
+            let lines = domain.line_sides().map(|(line, side, _)| domain.line_name(line, side));
+            sides.chain(lines).collect()
+        };
+        let mut names: Vec<String> = domains.iter().flat_map(of).collect();
+        names.sort_unstable();
+        names.dedup();
+        match self.division.sizes.keys().find(|name| names.binary_search(name).is_err()) {
+            Some(name) => Err(FileError::wrong(format!(
+                "no side or line is called {name:?}; there are {}",
+                first_names(&names)
+            ))),
+            None => Ok(()),
+        }
     }
 
     /// The maps of several polygons: those that share edges are regions of one domain. A single polygon is its domain.
@@ -231,14 +254,16 @@ impl PolygonFile {
             }
             Ok((domains, notes))
         });
-        maps.map_err(|error| {
+        let (domains, notes) = maps.map_err(|error| {
             let said = error.to_string();
             let is_well = || {
                 let whole = Division::default();
                 outlines::maps(&self.polygons, &self.inside, &whole, self.is_repaired).is_ok()
             };
             FileError::wrong(self.with_hint(said, error.is_touch, is_well)).of(&self.file)
-        })
+        })?;
+        self.check_sizes(&domains).map_err(|error| error.of(&self.file))?;
+        Ok((domains, notes))
     }
 
     /// What is wrong, with what to do. Whether the outline itself is well, and edges of the size asked for are the cause, is

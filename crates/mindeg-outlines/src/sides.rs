@@ -4,6 +4,7 @@
 //! side, or where the name of the sides changes.
 
 use mindeg_mesh::number;
+use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc as Shared;
 
@@ -14,19 +15,21 @@ use super::outline::DrawnRing;
 use crate::error::OutlineError;
 
 /// How rings are divided.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Division {
     /// The ring has a corner where it turns by more than this angle, in degrees.
     pub corner_angle: f64,
     /// The length that the intervals of every side should have. Without it the points of the file
     /// are kept, and curves get points so that no interval turns by more than 15 degrees.
     pub size: Option<f64>,
+    /// The same for sides and lines of a name, in place of that.
+    pub sizes: BTreeMap<String, f64>,
 }
 
 impl Default for Division {
     /// The points of the file, with corners where a ring turns by more than 30 degrees.
     fn default() -> Self {
-        Self { corner_angle: 30.0, size: None }
+        Self { corner_angle: 30.0, size: None, sizes: BTreeMap::new() }
     }
 }
 
@@ -107,14 +110,16 @@ impl DrawnRing {
             let segments: Vec<Segment> =
                 (corner..end).map(|piece| self.segment(piece % count)).collect();
             let is_line = segments.len() == 1 && segments[0].curve == PieceCurve::Line;
-            let points = match division.size {
+            let name = self.pieces[corner].side.clone();
+            let own = name.as_deref().and_then(|name| division.sizes.get(name).copied());
+            let points = match own.or(division.size) {
                 None => kept(&segments, &mut total)?,
                 Some(size) => {
                     let least = if is_line { 1 } else { least };
                     evenly_spaced(&segments, size, least, &mut total)?
                 }
             };
-            sides.push(DividedSide { name: self.pieces[corner].side.clone(), points, is_line });
+            sides.push(DividedSide { name, points, is_line });
         }
         Ok(sides)
     }
@@ -212,7 +217,7 @@ mod tests {
 
     /// The points of the sides.
     fn points(ring: &DrawnRing, corner_angle: f64, size: Option<f64>) -> Vec<Vec<[f64; 2]>> {
-        let sides = ring.divided(&Division { corner_angle, size }).unwrap();
+        let sides = ring.divided(&Division { corner_angle, size, ..Division::default() }).unwrap();
         let points = |side: &DividedSide| side.points.iter().map(|it| it.to_array()).collect();
         sides.iter().map(points).collect()
     }
@@ -250,7 +255,7 @@ mod tests {
         assert_eq!(sides[0], [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [3.0, 0.0]]);
         let sides = points(&square, 30.0, Some(100.0));
         assert_eq!(sides.iter().map(Vec::len).collect::<Vec<_>>(), [1; 4]);
-        let error = square.divided(&Division { corner_angle: 30.0, size: Some(1e-12) });
+        let error = square.divided(&Division { size: Some(1e-12), ..Division::default() });
         let message = error.unwrap_err().to_string();
         assert_eq!(
             message,

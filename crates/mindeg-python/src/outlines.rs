@@ -83,7 +83,7 @@ impl Given {
             fill_rule,
             parts_holes: None,
             sea_in: self.sea_in.map(|[x, y, right, top]| [[x, y].into(), [right, top].into()]),
-            division: Division { corner_angle, size },
+            division: Division { corner_angle, size, ..Division::default() },
         })
     }
 
