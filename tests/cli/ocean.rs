@@ -426,6 +426,30 @@ fn a_projection_that_geojson_names_is_that_of_its_coordinates() {
 }
 
 #[test]
+fn a_polygon_cut_at_the_antimeridian_is_one_in_the_plane() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("sea.14").display().to_string();
+    let west = [[178, -19], [180, -19], [180, -16], [178, -16], [178, -19]];
+    let east = [[-180, -19], [-179, -19], [-179, -16], [-180, -16], [-180, -19]];
+    let sea = json!({"type": "MultiPolygon", "coordinates": [[west], [east]]}).to_string();
+    let mesh = |project: &str| {
+        let common = ["mesh", "-", "--interior", "--json", "-o", &out, "--open", "box"];
+        mindeg_reading([&common[..], &["--project", project]].concat(), sea.as_bytes())
+    };
+    let run = mesh("auto");
+    assert!(run.errors.contains("joined 1 polygon across 180° of longitude"), "{}", run.errors);
+    assert_eq!(run.json()["regions"], Value::Null);
+    let grid = fort14(Path::new(&out));
+    assert_eq!((grid.open.len(), grid.closed.len()), (1, 0));
+    let inside = grid.points.iter().filter(|at| (at[1] + 17.5).abs() < 1.4);
+    assert!(
+        inside.clone().count() > 20 && inside.clone().all(|at| (178.0..=181.001).contains(&at[0]))
+    );
+    // As planar coordinates they lie a world apart.
+    assert_eq!(mesh("none").json()["parts"], 2);
+}
+
+#[test]
 fn sides_and_lines_of_a_name_have_a_size_of_their_own() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("sea.14").display().to_string();

@@ -98,6 +98,9 @@ impl PolygonFile {
             }
             outlines = outlines.sea_in(corners).map_err(wrong)?;
         }
+        if options.project.is_some_and(|choice| choice != ProjectionChoice::None) {
+            outlines.join_at_antimeridian();
+        }
         // The rest of a file of the world may have no place in the plane. Indices count the polygons that a repair makes.
         let wanted = options.feature.as_deref();
         let is_name = |wanted: &&str| {

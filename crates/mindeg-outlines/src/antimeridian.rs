@@ -4,6 +4,8 @@
 //! around the world. Here it goes the short way: the ring is cut where it meets the antimeridian, and the polygon is closed
 //! along it on both sides. A ring around a pole is closed along the pole.
 
+mod joining;
+
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
