@@ -8,7 +8,7 @@ use crate::interrupt::clean_up_on_interrupt;
 use crate::standard_output::{print, print_json};
 use mindeg::interior::condition_all;
 use mindeg::{Domain, Interior};
-use mindeg_answers::condition::ConditionAnswer;
+use mindeg_answers::condition::{ConditionAnswer, as_geojson};
 use mindeg_answers::names::shown;
 use mindeg_compare::write_changes_svg;
 use mindeg_files::{Wanted, is_standard_output};
@@ -25,13 +25,8 @@ pub(crate) fn run(arguments: &ConditionArguments) -> Result<(), Failure> {
     refuse_degrees(&subject, &arguments.change, size)?;
     let Parts { name: of_all, domains } = subject.parts()?;
     // Each part stays one, so this is known before the work.
-    if arguments.output.is_some() && domains.len() > 1 {
-        return Err(Failure::Input(format!(
-            "-o is for one domain in JSON, and this map has {} parts that share no edge, such as islands: --changes has all \
-             new boundaries, mindeg mesh --interior --condition meshes them, and --feature chooses polygons",
-            domains.len()
-        )));
-    }
+    let as_outlines = arguments.output.as_deref().filter(|path| is_geojson(path));
+    refuse_output(arguments.output.as_deref(), as_outlines.is_some(), &domains)?;
     let preset = arguments.preset;
     let wanted = preset.map(|preset| preset.asked_of(Interior::default())).unwrap_or_default();
     let least = wanted.least_triangles();
@@ -44,8 +39,13 @@ pub(crate) fn run(arguments: &ConditionArguments) -> Result<(), Failure> {
     // The coast changes as without open water, as in `mesh`: names that this gives hold no point.
     let (new, _) = arguments.kinds.told(&new)?;
     let answer = ConditionAnswer::of(&domains, &new, &conditioned);
-    let domain_file =
-        arguments.output.as_deref().zip(new.first()).map(|(path, new)| (new.to_json(), path));
+    let domain_file = match (&arguments.output, new.first()) {
+        (Some(path), Some(first)) => {
+            let outlines = as_outlines.and_then(|_| as_geojson(&new));
+            Some((outlines.map_or_else(|| first.to_json(), |it| it.to_string()), path.as_path()))
+        }
+        _ => None,
+    };
     let title = match &domains[..] {
         [domain] => name(domain),
         _ => shown(of_all.as_deref().unwrap_or(UNNAMED)),
@@ -59,6 +59,37 @@ pub(crate) fn run(arguments: &ConditionArguments) -> Result<(), Failure> {
         return Ok(());
     }
     if arguments.json { print_json(&answer) } else { print(&answer.text(&title)) }
+}
+
+/// Refuses a file that does not hold all domains: JSON has one, and GeoJSON no regions between lines.
+fn refuse_output(
+    path: Option<&Path>,
+    as_outlines: bool,
+    domains: &[Domain],
+) -> Result<(), Failure> {
+    let is_one = domains.len() == 1;
+    let Some(path) = path.filter(|_| as_outlines || !is_one) else { return Ok(()) };
+    let has_regions = as_geojson(domains).is_none();
+    let (path, parts) = (path.display(), domains.len());
+    let meshed = "mindeg mesh --interior --condition meshes them, and --feature chooses polygons";
+    Err(Failure::Input(match (as_outlines, has_regions) {
+        (true, false) => return Ok(()),
+        (true, true) => {
+            let way = if is_one { "-o DOMAIN.json keeps them" } else { meshed };
+            format!("{path}: GeoJSON would lose the regions that lines divide this map into: {way}")
+        }
+        (false, _) => {
+            let file = if has_regions { "--changes CHANGES.geojson" } else { "-o COAST.geojson" };
+            format!(
+                "{path}: JSON has one domain, and this map has {parts} parts that share no edge, such as islands: {file} has all \
+                 new boundaries, {meshed}"
+            )
+        }
+    }))
+}
+
+fn is_geojson(path: &Path) -> bool {
+    path.extension().is_some_and(|name| name.eq_ignore_ascii_case("geojson"))
 }
 
 /// The changes as a file shows them: a picture, or GeoJSON.

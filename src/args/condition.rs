@@ -57,7 +57,7 @@ pub(crate) struct ConditionArguments {
     #[command(flatten)]
     pub(crate) kinds: BoundaryKinds,
 
-    /// Where to write the domain in JSON; - is standard output
+    /// Where to write the domain in JSON, or its outlines in GeoJSON if it ends in .geojson; - is standard output
     #[arg(short, long, value_name = "FILE", help_heading = None)]
     pub(crate) output: Option<PathBuf>,
 

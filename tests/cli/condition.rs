@@ -261,6 +261,45 @@ fn islands_of_a_map_are_conditioned_together() {
 }
 
 #[test]
+fn islands_beside_each_other_go_to_geojson() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("islands.geojson").display().to_string();
+    let island = |x: i32| json!([[[x, 0], [x + 4, 0], [x + 4, 1], [x, 1], [x, 0]]]);
+    let mouth = json!({"type": "LineString", "coordinates": [[0, 0], [4, 0]]});
+    let line = json!({"type": "LineString", "coordinates": [[7, 0.5], [9, 0.5]]});
+    let feature = |properties: serde_json::Value, geometry: serde_json::Value| json!({"type": "Feature", "properties": properties, "geometry": geometry});
+    let polygon = |x: i32| json!({"type": "Polygon", "coordinates": island(x)});
+    let features = [
+        feature(json!({"name": "west"}), polygon(0)),
+        feature(json!({"name": "east"}), polygon(6)),
+        feature(json!({"kind": "open", "name": "mouth"}), mouth),
+        feature(json!({"name": "reef"}), line),
+    ];
+    let map = json!({"type": "FeatureCollection", "features": features}).to_string();
+    let told = mindeg_reading(["condition", "-", "-o", &out, "--json"], map.as_bytes()).json();
+    let meshed = ["mesh", &out, "--interior", "--json", "-o", &format!("{out}.msh")];
+    let meshed = mindeg(meshed).json();
+    assert_eq!(meshed["parts"], 2);
+    // The mesh has the limit of the new boundary, to the same bits: nothing was rounded.
+    assert_eq!(meshed["angle_limit"], told["angle_limit"]);
+    let text = std::fs::read_to_string(&out).expect("a file");
+    let read: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    let told: Vec<_> = read["features"].as_array().expect("features").iter().collect();
+    let names: Vec<_> = told.iter().map(|it| &it["properties"]["name"]).collect();
+    let expected =
+        ["west", "mouth", "west | outside", "east", "east | outside", "reef"].map(|it| json!(it));
+    assert_eq!(names, expected.each_ref());
+    assert_eq!(told[1]["properties"], json!({"kind": "open", "name": "mouth"}));
+    assert!(told[1]["geometry"]["coordinates"].as_array().expect("points").len() > 2);
+    assert_eq!(
+        (&told[3]["geometry"]["type"], &told[5]["geometry"]["type"]),
+        (&json!("Polygon"), &json!("LineString"))
+    );
+    let regions = ["condition", "-", "-o", &out];
+    mindeg_reading(regions, SQUARES).refuses(&["GeoJSON would lose the regions", "-o DOMAIN.json"]);
+}
+
+#[test]
 fn conditioning_that_says_nothing_is_refused() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("x.obj").display().to_string();

@@ -1,7 +1,9 @@
 //! The changes that conditioning made to a boundary.
 
+mod geojson;
 mod places;
 
+pub use geojson::as_geojson;
 pub use places::ShortestEdge;
 pub(crate) use places::{place_in_words, placed};
 
@@ -11,10 +13,9 @@ use mindeg::glam::DVec2;
 use mindeg::interior::{
     BoundaryChange, ChangeKind, Conditioned, Narrow, NarrowReason, Reason, Why,
 };
-use places::{degrees, place};
+use places::degrees;
 use schemars::JsonSchema;
 use serde::Serialize;
-use serde_json::{Value, json};
 use std::fmt::Write as _;
 
 /// The changes of a boundary, and the limits of its minimum angle before and after; angles are in degrees.
@@ -284,71 +285,6 @@ impl ConditionAnswer {
             list(&mut text, &searched);
         }
         text
-    }
-}
-
-impl ConditionAnswer {
-    /// Both boundaries, all changes and the places that are left as GeoJSON, to draw them on a map: polygons with the
-    /// property `boundary`, which is `before` or `after`, lines inside in the same way, and points with the properties of their rows and the number of a change, counted from 1. In degrees if the domain
-    /// was projected.
-    #[must_use]
-    pub fn drawn(&self, before: &[Domain], after: &[Domain]) -> Value {
-        let polygon = |boundary: &str, domain: &Domain| {
-            let rings = (0..domain.rings().ring_count()).map(|ring| {
-                let range = domain.rings().ring(ring);
-                let closed = range.clone().chain([range.start]);
-                let point = |vertex| domain.placement().point(vertex);
-                closed.map(|vertex| place(domain, point(vertex))).collect::<Vec<_>>()
-            });
-            let geometry = json!({"type": "Polygon", "coordinates": rings.collect::<Vec<_>>()});
-            json!({"type": "Feature", "properties": {"boundary": boundary}, "geometry": geometry})
-        };
-        let lines = |boundary: &str, domain: &Domain| -> Vec<Value> {
-            let Ok(all) = domain.boundary() else { return Vec::new() };
-            let line = |line| {
-                let segments = all.line(line);
-                let ends = segments.iter().map(|ends| ends[0]);
-                let ends = ends.chain(segments.last().map(|ends| ends[1]));
-                let points: Vec<_> = ends.map(|vertex| place(domain, all.point(vertex))).collect();
-                let geometry = json!({"type": "LineString", "coordinates": points});
-                json!({"type": "Feature", "properties": {"boundary": boundary}, "geometry": geometry})
-            };
-            (0..all.line_count()).map(line).collect()
-        };
-        let point = |at: [f64; 2], properties: Value| {
-            let geometry = json!({"type": "Point", "coordinates": at});
-            json!({"type": "Feature", "properties": properties, "geometry": geometry})
-        };
-        let changes = (1..).zip(&self.changes).map(|(number, row): (u32, _)| {
-            point(
-                row.degrees.unwrap_or(row.at),
-                json!({
-                    "kind": row.kind,
-                    "number": number,
-                    "ring": row.ring,
-                    "side": row.side,
-                    "moved": row.moved,
-                    "reason": row.reason,
-                }),
-            )
-        });
-        let left = self.left.iter().map(|row| {
-            let properties =
-                json!({"kind": "left", "angle_limit": row.angle_limit, "is_proven": row.is_proven, "reason": row.reason});
-            point(row.degrees.unwrap_or(row.at), properties)
-        });
-        let narrow = self.narrow.iter().map(|row| {
-            let properties = json!({"kind": "narrow", "width": row.width, "reason": row.reason});
-            point(row.degrees.unwrap_or(row.at), properties)
-        });
-        let boundaries = [("before", before), ("after", after)].map(|(name, domains)| {
-            domains
-                .iter()
-                .flat_map(move |domain| [vec![polygon(name, domain)], lines(name, domain)].concat())
-        });
-        let boundaries = boundaries.into_iter().flatten();
-        let features: Vec<Value> = boundaries.chain(changes).chain(left).chain(narrow).collect();
-        json!({"type": "FeatureCollection", "features": features})
     }
 }
 
