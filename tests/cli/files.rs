@@ -121,11 +121,16 @@ fn a_format_that_contradicts_the_name_is_told() {
 fn files_of_other_programs_are_refused_with_a_way_in() {
     let folder = folder(&[
         ("coast.shp", "\0\0\u{27}\n\0\0\0\0"),
+        ("coast.zip", "PK\u{3}\u{4}coast.shp"),
         ("part.step", "ISO-10303-21;\nHEADER;\n"),
         ("x.geo", "lc = 0.15;\nPoint(1) = {0, 0, 0, lc};\n"),
     ]);
     for (file, words) in [
         ("coast.shp", "`ogr2ogr outline.geojson coast.shp` writes its polygons as GeoJSON"),
+        (
+            "coast.zip",
+            "`ogr2ogr outline.geojson /vsizip/coast.zip` writes the polygons of a shapefile",
+        ),
         ("part.step", "`gmsh -1 part.step -o outline.msh`"),
         ("x.geo", "`gmsh -1 x.geo -o outline.msh` writes its curves as an outline"),
     ] {

@@ -248,6 +248,9 @@ impl FromStr for Projection {
         let trimmed = text.trim();
         match trimmed.split_once(':') {
             Some((authority, code)) if authority.eq_ignore_ascii_case("epsg") => of_epsg(code),
+            None if trimmed.bytes().all(|digit| digit.is_ascii_digit()) && !trimmed.is_empty() => {
+                of_epsg(trimmed)
+            }
             _ => of_definition(trimmed),
         }
     }

@@ -13,6 +13,11 @@ const FOREIGN: &[(&[&str], &str, &str)] = &[
         "`ogr2ogr outline.geojson FILE` writes those as GeoJSON, given the .shp beside it",
     ),
     (
+        &["zip"],
+        "a zipped folder",
+        "`ogr2ogr outline.geojson /vsizip/FILE` writes the polygons of a shapefile in it as GeoJSON; else unpack it",
+    ),
+    (
         &["nc"],
         "a file in NetCDF",
         "only grids for depths and sizes are read of it, in the classic format, which `nccopy -k classic FILE grid.nc` writes",

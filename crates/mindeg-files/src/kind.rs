@@ -83,6 +83,12 @@ pub(crate) fn kind(
         return Err(advice);
     }
     if told.is_none() && looks_like.is_none() && !has_brace {
+        // An NPZ is one, too, and is never called so.
+        if extension == "zip"
+            && let Some(advice) = foreign::advice(&extension, name)
+        {
+            return Err(advice);
+        }
         if let Some(format) = Format::of_content(bytes) {
             return match wanted {
                 Wanted::Domain => Err(no_mesh(name)),

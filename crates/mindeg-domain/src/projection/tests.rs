@@ -27,6 +27,12 @@ const BY_PROJ: &[(&str, [f64; 2], [f64; 2])] = &[
 ];
 
 #[test]
+fn a_number_alone_is_a_code() {
+    assert_eq!("3035".parse::<Projection>(), "EPSG:3035".parse());
+    assert!("".parse::<Projection>().is_err());
+}
+
+#[test]
 fn points_are_where_proj_puts_them_and_come_back() {
     for (text, degrees, metres) in BY_PROJ {
         let projection: Projection = text.parse().unwrap();
