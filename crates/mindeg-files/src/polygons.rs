@@ -109,9 +109,8 @@ impl PolygonFile {
         let before = wanted.filter(|wanted| !options.repair || is_name(wanted));
         let chosen = before.map(|wanted| outlines.choose(wanted)).transpose().map_err(wrong)?;
         let is_in_degrees = options.project.is_none() && outlines.is_in_degrees();
-        let mut projection = outlines.projection;
         if let Some(choice) = options.project {
-            (outlines, projection) = outlines.projected(choice).map_err(wrong)?;
+            outlines = outlines.projected(choice).map_err(wrong)?;
         }
         let is_one_map = !options.separate && options.feature.is_none();
         if options.repair && is_one_map && outlines.features.len() > 1 {
@@ -127,9 +126,10 @@ impl PolygonFile {
             ));
         }
         if let Some(within) = options.parts_holes {
-            outlines = outlines.with_parted_holes(within, projection.is_some());
+            outlines = outlines.with_parted_holes(within);
         }
-        let Outlines { features, mut inside, periodic, kinds, mut notes, .. } = outlines;
+        let Outlines { features, mut inside, periodic, kinds, mut notes, projection, .. } =
+            outlines;
         let rings = features.iter().flat_map(|feature| &feature.rings);
         let starts = rings.flat_map(|ring| ring.pieces.iter().map(|piece| piece.start));
         if is_in_degrees && look_like_degrees(starts) {

@@ -114,26 +114,23 @@ impl Outlines {
     /// let text = br#"{"type": "Polygon", "coordinates": [[[24, 38], [25, 38], [25, 39], [24, 39], [24, 38]]]}"#;
     /// let alone = |_: &str| Err(std::io::ErrorKind::NotFound.into());
     /// let degrees = read(text, OutlineFormat::GeoJson, alone)?;
-    /// let (plane, projection) = degrees.projected(ProjectionChoice::Auto)?;
-    /// assert_eq!(projection.map(|it| it.name()).as_deref(), Some("UTM zone 35 north"));
+    /// let plane = degrees.projected(ProjectionChoice::Auto)?;
+    /// assert_eq!(plane.projection.map(|it| it.name()).as_deref(), Some("UTM zone 35 north"));
     /// let ring = &plane.features[0].rings[0];
     /// assert_eq!(ring.pieces[0].side.as_deref(), Some("south"));
     /// assert!((ring.segment(0).length() > 5000.0) && ring.pieces.len() > 4);
     /// # Ok::<(), mindeg_outlines::OutlineError>(())
     /// ```
-    pub fn projected(
-        mut self,
-        choice: ProjectionChoice,
-    ) -> Result<(Self, Option<Projection>), OutlineError> {
+    pub fn projected(mut self, choice: ProjectionChoice) -> Result<Self, OutlineError> {
         let wrong = |problem: String| OutlineError::place("", problem);
         if choice == ProjectionChoice::None {
-            self.is_geographic = false;
-            return Ok((self, None));
+            (self.is_geographic, self.projection) = (false, None);
+            return Ok(self);
         }
         if let Some(own) = self.projection {
             return match choice {
-                ProjectionChoice::Auto => Ok((self, Some(own))),
-                ProjectionChoice::Given(wanted) if wanted == own => Ok((self, Some(own))),
+                ProjectionChoice::Auto => Ok(self),
+                ProjectionChoice::Given(wanted) if wanted == own => Ok(self),
                 _ => Err(wrong(format!(
                     "its \"crs\" says that it is projected already, by {} ({own}): leave out --project",
                     own.name()
@@ -146,7 +143,7 @@ impl Outlines {
         self.inside.points.iter().try_for_each(|point| expect_degrees(point.at).map_err(wrong))?;
         let starts = || rings().flat_map(|ring| ring.pieces.iter().map(|piece| piece.start));
         let Some(projection) = choice.of(starts()).map_err(wrong)? else {
-            return Ok((self, None));
+            return Ok(self);
         };
         // Holes may reach past the box: a repair cuts them there.
         let outer = self.features.iter().filter_map(|feature| feature.rings.first());
@@ -193,8 +190,8 @@ impl Outlines {
             note += "; called sides on the box of degrees south, east, north and west";
         }
         self.notes.push(note);
-        self.is_geographic = false;
-        Ok((self, Some(projection)))
+        (self.is_geographic, self.projection) = (false, Some(projection));
+        Ok(self)
     }
 }
 
@@ -387,7 +384,10 @@ mod tests {
         let text = format!(r#"{{"type": "Polygon", "coordinates": {rings}}}"#);
         let alone = |_: &str| Err(std::io::ErrorKind::NotFound.into());
         let outlines = read(text.as_bytes(), OutlineFormat::GeoJson, alone).unwrap();
-        outlines.projected(choice.parse().unwrap()).map_err(|error| error.to_string())
+        let plane =
+            outlines.projected(choice.parse().unwrap()).map_err(|error| error.to_string())?;
+        let projection = plane.projection;
+        Ok((plane, projection))
     }
 
     #[test]
@@ -519,7 +519,8 @@ mod tests {
         let text = r#"{"type": "MultiPolygon", "coordinates": [[[[5, 52], [9, 54], [5, 54]]], [[[5, 52], [9, 52], [9, 54], [7, 53]]]]}"#;
         let alone = |_: &str| Err(std::io::ErrorKind::NotFound.into());
         let outlines = read(text.as_bytes(), OutlineFormat::GeoJson, alone).unwrap();
-        let (outlines, projection) = outlines.projected(ProjectionChoice::Auto).unwrap();
+        let outlines = outlines.projected(ProjectionChoice::Auto).unwrap();
+        let projection = outlines.projection;
         let at = projection.unwrap().to_plane(DVec2::new(7.0, 53.0));
         for feature in &outlines.features {
             assert!(feature.rings[0].pieces.iter().any(|piece| piece.start == at));

@@ -321,7 +321,7 @@ mod tests {
 
     #[test]
     fn lines_and_points_are_projected_as_rings_are() {
-        let (plane, _) = given().projected(ProjectionChoice::Auto).unwrap();
+        let plane = given().projected(ProjectionChoice::Auto).unwrap();
         let start =
             |feature: usize, piece: usize| plane.features[feature].rings[0].pieces[piece].start;
         let corner = plane.inside.points[1].at;

@@ -30,7 +30,7 @@ pub struct Outlines {
     pub(super) shapes: Vec<Shape>,
     /// Whether coordinates are longitudes and latitudes.
     pub(super) is_geographic: bool,
-    /// The projection that the file says made its coordinates.
+    /// The projection that made the coordinates, as the file says, or [`projected`](Self::projected).
     pub projection: Option<Projection>,
 }
 

@@ -49,8 +49,8 @@ impl Outlines {
     /// ```
     pub fn repaired(mut self, rule: Option<FillRule>) -> Result<Self, OutlineError> {
         self.cut_at_antimeridian()?;
-        let Self { features, inside, periodic, kinds, notes, shapes, .. } = self;
-        let mut repaired = Self { inside, periodic, kinds, notes, ..Self::default() };
+        let Self { features, inside, periodic, kinds, notes, shapes, projection, .. } = self;
+        let mut repaired = Self { inside, periodic, kinds, notes, projection, ..Self::default() };
         let mut features = features.into_iter();
         let mut start = 0;
         for shape in shapes {
@@ -89,10 +89,10 @@ impl Outlines {
 
     /// The same polygons without holes that touch other rings: where one does at a vertex, the vertex of the hole moves a
     /// little into the hole: by a quarter of its shorter edge there, and by `within`, at most. For a change of the boundary, which
-    /// such rings would hold; meshes take them as they are. A note tells how many moved, how far, in metres if `is_metric`, and where
-    /// the farthest was.
+    /// such rings would hold; meshes take them as they are. A note tells how many moved, how far, and where the
+    /// farthest was: in metres and degrees if they were projected.
     #[must_use]
-    pub fn with_parted_holes(mut self, within: f64, is_metric: bool) -> Self {
+    pub fn with_parted_holes(mut self, within: f64) -> Self {
         let moves = part_holes(&mut self.features, within);
         let farthest = moves.iter().max_by(|a, b| a.0.total_cmp(&b.0));
         if let Some((far, at)) = farthest {
@@ -100,8 +100,9 @@ impl Outlines {
                 1 => "1 vertex".to_owned(),
                 count => format!("{count} vertices"),
             };
-            let [x, y] = at.to_array().map(coordinate);
-            let unit = if is_metric { " m" } else { "" };
+            let degrees = self.projection.map(|projection| projection.to_degrees(*at));
+            let [x, y] = degrees.unwrap_or(*at).to_array().map(coordinate);
+            let unit = if degrees.is_some() { " m" } else { "" };
             self.notes.push(format!(
                 "moved {vertices} of touching holes by {}{unit} at most, at ({x}, {y})",
                 number(*far)
@@ -396,13 +397,17 @@ mod tests {
         let outer = vec![[0.0, 0.0], [2.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]];
         let touching = vec![[2.0, 0.0], [1.0, 2.0], [3.0, 2.0]];
         assert_eq!(shown_of(outlines.clone()).0, [[outer.clone(), touching]]);
-        let (features, notes) = shown_of(outlines.with_parted_holes(f64::INFINITY, false));
+        let (features, notes) = shown_of(outlines.with_parted_holes(f64::INFINITY));
         let [rings] = &features[..] else { panic!("{features:?}") };
         let [outside, hole] = &rings[..] else { panic!("{rings:?}") };
-        let near = outlines_of(&[ring]).repaired(None).unwrap().with_parted_holes(0.125, true);
+        // A repair keeps the projection.
+        let mut near = outlines_of(&[ring]);
+        near.projection = "EPSG:32635".parse().ok();
+        let near = near.repaired(None).unwrap().with_parted_holes(0.125);
         let (features, near_notes) = shown_of(near);
         assert_eq!(features[0][1][0], [2.0, 0.125]);
-        assert_eq!(near_notes, ["moved 1 vertex of touching holes by 0.125 m at most, at (2, 0)"]);
+        let told = "moved 1 vertex of touching holes by 0.125 m at most, at (22.51";
+        assert!(near_notes[0].starts_with(told), "{near_notes:?}");
         assert_eq!(*outside, outer);
         assert_eq!(hole[1..], [[1.0, 2.0], [3.0, 2.0]]);
         assert_eq!(hole[0][0], 2.0);
@@ -445,7 +450,7 @@ mod tests {
         let outer: &[[f64; 2]] = &[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [2.0, 2.0], [0.0, 4.0]];
         let hole: &[[f64; 2]] = &[[1.0, 2.5], [1.5, 0.5], [2.5, 0.5], [3.0, 2.5], [2.0, 2.0]];
         let outlines = outlines_of(&[outer, hole]).repaired(None).unwrap();
-        let (features, _) = shown_of(outlines.with_parted_holes(f64::INFINITY, false));
+        let (features, _) = shown_of(outlines.with_parted_holes(f64::INFINITY));
         let moved = features[0][1][4];
         assert!(moved[0] == 2.0 && moved[1] < 2.0 && moved[1] > 1.5, "{moved:?}");
     }

@@ -37,7 +37,7 @@ impl Outlines {
         tolerance: Option<f64>,
     ) -> Result<Self, OutlineError> {
         self.cut_at_antimeridian()?;
-        let Self { features, inside, periodic, kinds, notes, shapes, .. } = self;
+        let Self { features, inside, periodic, kinds, notes, shapes, projection, .. } = self;
         let wrong = |problem: String| OutlineError::place("", problem);
         let rule_of = |index: usize| {
             let shape = shapes.partition_point(|shape| shape.end <= index);
@@ -105,7 +105,7 @@ impl Outlines {
         }
         rings.sort_by_key(|(owner, steps)| (*owner, steps[0].chord));
 
-        let mut repaired = Self { inside, periodic, kinds, notes, ..Self::default() };
+        let mut repaired = Self { inside, periodic, kinds, notes, projection, ..Self::default() };
         let mut rest = &rings[..];
         for (index, feature) in (0..).zip(&features) {
             let own = rest.partition_point(|(owner, _)| *owner == index);

@@ -178,7 +178,7 @@ fn random_rings_have_the_area_of_another_library() {
                 (of_domains - expected).abs() <= 1e-7 * (1.0 + expected),
                 "{rings:?} {rule:?}: {of_domains}, {expected}"
             );
-            for feature in repaired.with_parted_holes(f64::INFINITY, false).features {
+            for feature in repaired.with_parted_holes(f64::INFINITY).features {
                 let domain = feature.domain(&Division::default());
                 assert!(domain.is_ok(), "{rings:?} {rule:?}: {feature:?}: {domain:?}");
             }
