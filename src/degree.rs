@@ -164,5 +164,6 @@ fn fewer(report: &DegreeReport) -> Option<String> {
 /// Prints which meshes to take of the parts of a domain, which are called as `whole` is; that can take longer to find than the degree.
 fn print_advice(parts: &[Domain], whole: &Domain, file: Option<&Path>) -> Result<(), Failure> {
     // A domain without a mesh says so when it is meshed.
-    print(&(advice_on(parts).hints(&mesh_command(whole, file)) + "\n"))
+    let hints = advice_on(parts).hints(&mesh_command(whole, file), None);
+    hints.map_or(Ok(()), |hints| print(&(hints + "\n")))
 }

@@ -16,7 +16,7 @@ use crate::making::{Making, advice_on};
 use crate::provenance::mesh_command_again;
 use mindeg::MeshError;
 use mindeg::{Domain, FoundBy, Goal, Meshed, Progress};
-use mindeg_answers::advice::Purpose;
+use mindeg_answers::advice::{AdvisedMesh, Purpose};
 use mindeg_answers::mesh::{self as words, MeshAnswer};
 use mindeg_answers::numbers::steady_angle;
 use mindeg_exact::{MAX_VERTICES, Unsolved};
@@ -158,7 +158,8 @@ fn mesh_of(domain: &Domain, arguments: &MeshArguments, output: &[PathBuf]) -> Re
                 command().advised(Purpose::Fewest)
             )
         });
-        let advice = advice.map(|advice| advice.hints(&command()));
+        let made = Some(AdvisedMesh::of(&meshed));
+        let advice = advice.and_then(|advice| advice.hints(&command(), made));
         let lines: Vec<String> = more.into_iter().chain(advice).collect();
         (!lines.is_empty()).then(|| lines.join("\n"))
     };

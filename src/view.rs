@@ -77,7 +77,8 @@ pub(crate) fn run(arguments: &ViewArguments) -> Result<(), Failure> {
     }
     if let Some(parts) = advised_on {
         let command = mesh_command(&parts.whole(), arguments.file.as_deref());
-        say(&advice_on(&parts.domains).hints(&command));
+        // The page is no file of the mesh that it shows, so each mesh is named.
+        advice_on(&parts.domains).hints(&command, None).iter().for_each(|hints| say(hints));
     }
     Ok(())
 }

@@ -8,6 +8,7 @@ use crate::failure::Failure;
 use crate::making::{Making, advice_on};
 use crate::provenance::mesh_command_again;
 use mindeg::beside::mesh_all;
+use mindeg_answers::advice::AdvisedMesh;
 use mindeg_answers::mesh::{MeshBesideAnswer, mesh_beside};
 
 /// Meshes all parts into the same files.
@@ -34,7 +35,9 @@ pub(super) fn run(parts: &Parts, arguments: &MeshArguments) -> Result<(), Failur
     let made = making.write(&found.mesh)?;
     let hints = || {
         let command = mesh_command_again(&parts.whole(), arguments.domain.file.as_deref());
-        arguments.goal.is_empty().then(|| advice_on(&parts.domains).hints(&command))
+        let is_told = !arguments.goal.is_empty();
+        let advice = (!is_told).then(|| advice_on(&parts.domains))?;
+        advice.hints(&command, AdvisedMesh::of_all(&found.parts))
     };
     made.say_and_advise(|| mesh_beside(&found, &answer, goal).join("\n"), hints, || &answer)?;
     end

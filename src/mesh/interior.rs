@@ -25,7 +25,7 @@ use mindeg_answers::numbers::{counted, triangles};
 use mindeg_answers::on_edges::{is_low, is_tight, with_points_on_edges};
 use mindeg_answers::sizes::{coarse_sides, sizes, sizes_beside};
 use mindeg_files::{Input, PolygonFile};
-use mindeg_mesh::{Bounds, Triangles, significant};
+use mindeg_mesh::{Bounds, TriMesh, significant};
 use serde::Serialize;
 use std::borrow::Cow;
 
@@ -159,13 +159,10 @@ fn boundary_hint(
     found: &InteriorMesh,
 ) -> Option<String> {
     let InteriorMesh { mesh, report, limit, .. } = found;
-    let edges: usize = mesh.lines().iter().map(|line| line.segments.len()).sum();
     let (is_tight, is_low) = (is_tight(report), is_low(limit));
-    if is_tight && edges < FEW_EDGES {
-        let size = Bounds::of_space(mesh.positions().iter().copied())?.size().max_element() / 10.0;
+    if is_tight && let Some(size) = dividing_size(mesh) {
         return Some(format!(
-            "hint: few long sides leave little room for good triangles; --size {} divides them.",
-            significant(size, 1)
+            "hint: few long sides leave little room for good triangles; --size {size} divides them."
         ));
     }
     if arguments.condition.is_some() || !is_tight && !is_low {
@@ -192,6 +189,19 @@ fn boundary_hint(
             counted(points as u64, "point")
         )),
     }
+}
+
+/// The size that divides few long sides; `None` of many edges, and where it divides none.
+fn dividing_size(mesh: &TriMesh) -> Option<String> {
+    let (positions, edges) = (mesh.positions(), mesh.segments());
+    let size = Bounds::of_space(positions.iter().copied())?.size().max_element() / 10.0;
+    let size = significant(size, 1);
+    let value: f64 = size.parse().ok()?;
+    let is_divided = |&[a, b]: &[u32; 2]| {
+        // A side has as many intervals as it is sizes long, rounded.
+        positions[a as usize].distance(positions[b as usize]) >= 1.5 * value
+    };
+    (edges.len() < FEW_EDGES && edges.iter().any(is_divided)).then_some(size)
 }
 
 /// How many vertices are on the boundary: those around holes that touch rings, too, which are lines of the domain.

@@ -408,6 +408,22 @@ fn few_long_sides_are_told_what_divides_them() {
     assert!(run.code == Some(0) && !run.errors.contains("hint"), "{run:?}");
 }
 
+/// `--size 0.4` was told after `--size 0.4`.
+#[test]
+fn a_size_that_divides_no_side_is_not_told() {
+    let folder = tempdir().expect("a folder");
+    let out = folder.path().join("mesh.obj").display().to_string();
+    let notched = "POLYGON((0 0,4 0,4 3,2 0.1,0 3,0 0))";
+    for (size, is_told) in [("1", true), ("0.4", false)] {
+        let run = mindeg_reading(
+            ["mesh", "-", "--interior", "--size", size, "-o", &out],
+            notched.as_bytes(),
+        );
+        assert_eq!(run.errors.contains("--size 0.4 divides them"), is_told, "{run:?}");
+        assert_eq!(run.code, Some(0), "{run:?}");
+    }
+}
+
 /// A grid in other coordinates than the domain's had no effect, without a word.
 #[test]
 fn sizes_beside_the_domain_are_told() {

@@ -333,6 +333,19 @@ fn the_first_row_is_what_mesh_makes_or_names() {
     assert!(angle(&best) > 1.1 * angle(&plain), "{plain} {best}");
 }
 
+/// The advice for a patch was to make the mesh that was just written: degree 5 and 11.079° of gusset.json.
+#[test]
+fn the_mesh_that_was_written_is_not_advised() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("a.obj").display().to_string();
+    for (domain, is_told) in [("gusset", false), ("figure-1", true)] {
+        let file = format!("{}/assets/domains/{domain}.json", env!("CARGO_MANIFEST_DIR"));
+        let run = mindeg(["mesh", &file, "-o", &out]);
+        assert!(run.errors.contains("hint: for a solver"), "{run:?}");
+        assert_eq!(run.errors.contains("hint: for a patch"), is_told, "{run:?}");
+    }
+}
+
 #[test]
 fn a_mesh_and_a_domain_in_each_others_place_are_told() {
     let part = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/outlines/part.dxf");

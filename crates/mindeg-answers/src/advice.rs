@@ -293,9 +293,9 @@ impl Advice {
         sentences.join("\n")
     }
 
-    /// The same as hints of the terminal, each with the command that makes the mesh.
+    /// The same as hints of the terminal, each with the command that makes the mesh; `None` of nothing but the mesh that was made.
     #[must_use]
-    pub fn hints(&self, command: &MeshCommand) -> String {
+    pub fn hints(&self, command: &MeshCommand, made: Option<AdvisedMesh>) -> Option<String> {
         let hint = |purpose: Purpose| {
             // Small after "hint:".
             let sentence = self.sentence(purpose);
@@ -304,12 +304,19 @@ impl Advice {
             let lines = [words, command.advised(purpose)].into_iter().chain(more);
             lines.collect::<Vec<_>>().join("\n")
         };
-        let possible = self.purposes(None).into_iter().filter(|&purpose| self.is_possible(purpose));
+        let is_made = |purpose| {
+            made.zip(self.mesh_for(purpose)).is_some_and(|(made, advised)| made.is_as(&advised))
+        };
+        let possible = self
+            .purposes(None)
+            .into_iter()
+            .filter(|&purpose| self.is_possible(purpose) && !is_made(purpose));
         let is_measured = self.patch.is_some() || self.solver.is_some();
         let measuring =
             || format!("hint: this takes longer, and measures them:\n{}", command.measuring());
         let measuring = (!is_measured).then(measuring);
-        possible.map(hint).chain(measuring).collect::<Vec<_>>().join("\n")
+        let hints: Vec<String> = possible.map(hint).chain(measuring).collect();
+        (!hints.is_empty()).then(|| hints.join("\n"))
     }
 }
 
@@ -362,7 +369,7 @@ mod tests {
             advice.text(Some(Purpose::Fewest)),
             "For the fewest edges at a vertex, take degree 4: minimum angle 1.000°, 20% of what its points allow."
         );
-        let hints = advice.hints(&MeshCommand::default());
+        let hints = advice.hints(&MeshCommand::default(), None).unwrap();
         assert!(hints.ends_with(
             "allow.\nmindeg mesh DOMAIN.json --keep-angle 95% -o mesh-keep-angle-95.obj"
         ));
@@ -393,7 +400,7 @@ mod tests {
             advice.points_on_edges
         );
         assert!(sentence.contains(&more), "{sentence}");
-        let hints = advice.hints(&MeshCommand::default());
+        let hints = advice.hints(&MeshCommand::default(), None).unwrap();
         let commands = "\nmindeg mesh DOMAIN.json --interior -o mesh-points-inside.obj\n\
                         mindeg mesh DOMAIN.json --interior --condition -o mesh-conditioned.obj";
         assert!(hints.contains(commands), "{hints}");
@@ -411,6 +418,19 @@ mod tests {
         }
     }
 
+    /// Nobody makes the mesh again that was just written.
+    #[test]
+    fn the_mesh_that_was_made_is_no_hint() {
+        let hints = |advice: &Advice, made| advice.hints(&MeshCommand::default(), made);
+        let advice = Advice::among(inside(7, 40.0), made(5, 5.0, Some(1.0)), None);
+        assert!(hints(&advice, made(4, 1.0, None)).unwrap().contains("--keep-angle"));
+        let found = hints(&advice, made(5, 5.0, None)).unwrap();
+        assert!(!found.contains("--keep-angle") && found.contains("--interior"), "{found}");
+        let reason = NoPoints::Impossible("none".to_owned());
+        let advice = Advice::among(Err(reason), made(5, 5.0, Some(1.0)), None);
+        assert_eq!(hints(&advice, made(5, 5.0, None)), None);
+    }
+
     /// Where a mesh with points inside is merely too large to be measured, it is the mesh to take.
     #[test]
     fn points_inside_come_first_unless_there_can_be_none() {
@@ -422,17 +442,17 @@ mod tests {
         let large = advice(&too_large);
         assert_eq!(large.purposes(None), [Purpose::Solver, Purpose::Patch]);
         assert_eq!(large.sentence(Purpose::Solver), "For a solver, put points inside.");
-        assert!(large.hints(&MeshCommand::default()).contains("--interior -o"));
+        assert!(large.hints(&MeshCommand::default(), None).unwrap().contains("--interior -o"));
         let none = advice(&own_limit);
         assert_eq!(none.purposes(None), [Purpose::Patch, Purpose::Solver]);
         let reason = "Points inside cannot be put here: the mesh needs more than 50 points;";
         assert!(none.sentence(Purpose::Solver).starts_with(reason));
-        assert!(!none.hints(&MeshCommand::default()).contains("--interior"));
+        assert!(!none.hints(&MeshCommand::default(), None).unwrap().contains("--interior"));
     }
 
     #[test]
     fn without_figures_the_advice_is_the_same() {
-        let hints = Advice::UNMEASURED.hints(&MeshCommand::default());
+        let hints = Advice::UNMEASURED.hints(&MeshCommand::default(), None).unwrap();
         assert!(hints.ends_with("and measures them:\nmindeg tradeoff DOMAIN.json"), "{hints}");
         assert_eq!(
             Advice::UNMEASURED.text(None),

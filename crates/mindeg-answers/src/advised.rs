@@ -49,6 +49,11 @@ impl AdvisedMesh {
         })
     }
 
+    /// Whether the figures of two meshes are the same; the boundary alone decides what it shares with Delaunay's.
+    pub(crate) fn is_as(&self, other: &Self) -> bool {
+        self.max_degree == other.max_degree && self.min_angle == other.min_angle
+    }
+
     /// The figures of a mesh with points inside.
     #[must_use]
     pub fn of_interior(report: &InteriorReport) -> Self {
