@@ -20,7 +20,7 @@ use mindeg_answers::interior::{
     unmet_degrees, violations,
 };
 use mindeg_answers::limit::{Lifting, LimitAnswer};
-use mindeg_answers::names::{region_count, shown};
+use mindeg_answers::names::shown;
 use mindeg_answers::numbers::{counted, triangles};
 use mindeg_answers::on_edges::{is_low, is_tight, with_points_on_edges};
 use mindeg_answers::sizes::{coarse_sides, sizes, sizes_beside};
@@ -300,7 +300,7 @@ pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Res
     let title = shown(name.unwrap_or("map"));
     draw_changes(arguments, conditioned.as_ref(), &title, [&old, &domains])?;
     let lifting = Lifting { limit: limit.clone(), steps: Vec::new() };
-    let regions = region_count(domains.iter());
+    let regions = domains.iter().map(Domain::region_count).sum();
     let summary = Summary {
         name,
         intervals: domains.iter().flat_map(|domain| domain.rings().sides()).collect(),

@@ -279,11 +279,11 @@ fn parts_without_interior_points_are_one_mesh() {
     fs::write(&map, ISLANDS).expect("a file");
     let from = [text(&map), "--size", "0.5"];
     let run = mindeg([&["mesh"], &from[..], &["-o", text(&mesh), "--json"]].concat());
-    assert!(run.errors.contains("map: 2 regions in 2 parts: "), "{}", run.errors);
+    assert!(run.errors.contains("map: 3 regions in 2 parts: "), "{}", run.errors);
     let made = run.json();
     assert_eq!(
         (made["regions"].as_u64(), made["parts"].as_array().map(Vec::len)),
-        (Some(2), Some(2))
+        (Some(3), Some(2))
     );
     let read = fs::read_to_string(&mesh).expect("an OBJ");
     let lines = |start: &str| read.lines().filter(|line| line.starts_with(start)).count() as u64;
@@ -525,14 +525,32 @@ fn a_map_has_the_name_of_its_file_with_and_without_points_inside() {
     }
 }
 
+/// One map had two regions in `degree` and one in `mesh --interior`, where they share a name.
 #[test]
-fn one_region_is_one_region() {
+fn all_commands_count_the_same_regions() {
+    let folder = tempdir().expect("a folder");
+    let at = |name: &str| folder.path().join(name);
+    let (map, out) = (at("map.geojson"), at("map.obj"));
+    for (island, parts) in [("[8, 0], [9, 0], [8, 1]", 2), ("[7, 0], [8, 0], [7, 3]", 1)] {
+        let text = ISLANDS.replace("[8, 0], [9, 0], [8, 1]", island);
+        fs::write(&map, text).expect("a file");
+        let of = |words: &[&str]| {
+            let found = mindeg([words, &[self::text(&map), "--json"]].concat()).json();
+            found["regions"].as_u64().expect("a count")
+        };
+        let mesh = ["mesh", "-o", self::text(&out)];
+        let inside = [&mesh[..], &["--interior"]].concat();
+        assert_eq!([of(&["degree"]), of(&inside)], [3, 3], "{parts}");
+        if parts > 1 {
+            assert_eq!(of(&mesh), 3);
+        }
+    }
+}
+
+#[test]
+fn one_triangle_is_one_triangle() {
     let folder = tempfile::tempdir().expect("a folder");
     let at = |name: &str| folder.path().join(name).display().to_string();
-    std::fs::write(at("a.svg"), "<svg><path id='c' d='M0 0h2v2h-2zM4 0h2l-2 2z'/></svg>")
-        .expect("a file");
-    let run = crate::run::mindeg(["mesh", &at("a.svg"), "-o", &at("a.obj")]);
-    assert!(run.errors.contains("a: 1 region in 2 parts: "), "{}", run.errors);
     std::fs::write(at("t.svg"), "<svg><path d='M0 0h2v2z'/></svg>").expect("a file");
     assert_eq!(crate::run::mindeg(["mesh", &at("t.svg"), "-o", &at("t.obj")]).code, Some(0));
     let obj = std::fs::read_to_string(at("t.obj")).expect("a mesh");

@@ -485,7 +485,7 @@ fn polygons_that_share_borders_become_one_mesh() {
     let mesh = ["mesh", &file, "--layer", "states", "--name-by", "title", "--interior"];
     let run = mindeg([&mesh[..], &["--json", "-o", &out]].concat());
     assert_eq!(run.code, Some(0), "{}", run.errors);
-    assert_eq!([&run.json()["regions"], &run.json()["parts"]], [2, 2]);
+    assert_eq!([&run.json()["regions"], &run.json()["parts"]], [3, 2]);
     let obj = text(Path::new(&out));
     let (points, groups) = (points(&obj), groups(&obj));
     assert_eq!(groups.keys().collect::<Vec<_>>(), ["East", "West"]);

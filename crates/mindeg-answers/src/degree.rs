@@ -246,9 +246,7 @@ impl DegreeReport {
         let (rings, faces) = (domain.rings(), domain.faces());
         let beside = faces.iter().flat_map(|faces| faces.beside.iter().flatten());
         let at_holes = beside.flatten().filter(|face| domain.is_hole(**face)).count() as u32;
-        let regions = faces.map_or(1, |faces| {
-            (0..faces.count as u32).filter(|face| !domain.is_hole(*face)).count()
-        });
+        let regions = domain.region_count();
         let vertices = points_of(domain);
         let interior_edges = (3 * triangles - rings.vertex_count() - at_holes) / 2;
         // Edges on the boundary have one triangle.

@@ -10,7 +10,7 @@ use mindeg_mesh::quality::TriangleQuality;
 use serde::Serialize;
 
 use crate::interior::InteriorAnswer;
-use crate::names::{part_name, region_count, shown};
+use crate::names::{part_name, shown};
 use crate::numbers::{self, counted, percent, steady_angle};
 
 /// A mesh of boundary points; angles are in degrees. Degrees are total: edges outside the domain count.
@@ -179,7 +179,7 @@ pub struct MeshBesideAnswer {
     /// part that decides the degree.
     #[serde(flatten)]
     pub all: MeshAnswer,
-    /// How many regions have names that differ.
+    /// How many regions all parts have; several may share a name.
     pub regions: usize,
     /// The mesh of each domain.
     pub parts: Vec<MeshAnswer>,
@@ -210,7 +210,7 @@ impl MeshBesideAnswer {
             share_of_limit: angle_limit.map(|most| share_of(min_angle, most)),
             reversed: parts.iter().any(|part| part.reversed),
         };
-        let regions = region_count(found.parts.iter().map(|part| part.mesh.domain()));
+        let regions = found.parts.iter().map(|part| part.mesh.domain().region_count()).sum();
         Self { all, regions, parts }
     }
 }

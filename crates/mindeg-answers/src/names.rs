@@ -2,7 +2,6 @@
 
 use mindeg::Domain;
 use std::borrow::Cow;
-use std::collections::BTreeSet;
 
 /// A text of several lines in which nothing steers a terminal; what would, is an escape.
 #[must_use]
@@ -33,13 +32,6 @@ pub(crate) const NAMED: usize = 5;
 /// The first of some places, and an ellipsis for the others.
 pub(crate) fn listed(places: impl IntoIterator<Item = String>, between: &str) -> String {
     mindeg_mesh::listed(places, NAMED, between)
-}
-
-/// How many names the regions of domains have, each counted once.
-#[must_use]
-pub fn region_count<'d>(domains: impl Iterator<Item = &'d Domain>) -> usize {
-    let regions = domains.flat_map(|domain| &domain.inside().regions);
-    regions.filter_map(|region| region.name.as_deref()).collect::<BTreeSet<_>>().len()
 }
 
 /// Whether a character moves, colors, ends or turns round what a terminal shows.

@@ -8,18 +8,13 @@ use mindeg_mesh::planar::{Border, PlanarBoundary};
 
 /// The number of regions of a map that are no holes; none if the domain is no map.
 pub(crate) fn regions(domain: &Domain) -> Option<u32> {
-    let all = || domain.faces().map_or(1, |faces| faces.count as u32);
-    domain.is_map().then(|| all() - hole_regions(domain))
+    domain.is_map().then(|| domain.region_count() as u32)
 }
 
 /// The number of holes: rings, and regions that are holes.
 pub(crate) fn holes(domain: &Domain) -> u32 {
-    domain.rings().ring_count() as u32 - 1 + hole_regions(domain)
-}
-
-fn hole_regions(domain: &Domain) -> u32 {
-    let count = domain.faces().map_or(0, |faces| faces.count as u32);
-    (0..count).filter(|&face| domain.is_hole(face)).count() as u32
+    let holes = domain.faces().map_or(0, |faces| faces.count - domain.region_count());
+    domain.rings().ring_count() as u32 - 1 + holes as u32
 }
 
 /// The border of each region of a map that is no hole, on the boundary of its domain.

@@ -73,6 +73,12 @@ impl Domain {
         self.inside.regions.get(face as usize).is_some_and(|region| region.hole)
     }
 
+    /// How many regions there are that are no holes: faces, of which several may share a name; one without lines.
+    pub fn region_count(&self) -> usize {
+        let is_open = |face: &u32| !self.is_hole(*face);
+        self.faces().map_or(1, |faces| (0..faces.count as u32).filter(is_open).count())
+    }
+
     /// The boundary around the regions that are not holes, if one is. O(n log n).
     pub fn border(&self) -> Option<Border> {
         let has_holes = self.inside.regions.iter().any(|region| region.hole);

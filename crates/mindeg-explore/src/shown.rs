@@ -44,15 +44,9 @@ pub(crate) fn domain(domain: &Domain) -> DomainShown {
         lines: lines(domain, center),
         named_points: named_points(domain),
         regions: regions(domain),
-        region_count: if domain.is_map() { open_faces(domain).count() } else { 0 },
+        region_count: if domain.is_map() { domain.region_count() } else { 0 },
         notes: domain.notes(),
     }
-}
-
-/// The faces that are no holes; one without lines.
-fn open_faces(domain: &Domain) -> impl Iterator<Item = u32> {
-    let count = domain.faces().map_or(1, |faces| faces.count as u32);
-    (0..count).filter(|&face| !domain.is_hole(face))
 }
 
 /// The number of triangles of every mesh of the boundary and the points inside: regions that are holes have none.

@@ -1,7 +1,7 @@
 //! The degrees of domains beside each other.
 
 use super::{DegreeReport, degree_or_range};
-use crate::names::{part_name, region_count};
+use crate::names::part_name;
 use mindeg::Domain;
 use serde::Serialize;
 
@@ -11,7 +11,7 @@ const LISTED: usize = 20;
 /// The least maximum degree of domains beside each other: the greatest of theirs.
 #[derive(Clone, Debug, Serialize)]
 pub struct DegreeBeside {
-    /// How many regions have names that differ.
+    /// How many regions all parts have; several may share a name.
     pub regions: usize,
     /// The number of vertices.
     pub vertices: u64,
@@ -48,7 +48,7 @@ impl DegreeBeside {
         let sum =
             |count: fn(&DegreeReport) -> u32| reports.iter().map(|it| u64::from(count(it))).sum();
         Self {
-            regions: region_count(domains.iter()),
+            regions: domains.iter().map(Domain::region_count).sum(),
             vertices: sum(|report| report.vertices),
             triangles: sum(|report| report.triangles),
             interior_edges: sum(|report| report.interior_edges),
