@@ -86,6 +86,27 @@ fn the_curve_of_a_report_has_the_mesh_with_points_inside() {
     assert!(curve.contains("points inside: degree "), "{curve}");
 }
 
+/// Pages told what points on edges bring, and no command that puts them there.
+#[test]
+fn points_on_edges_stand_beside_their_command() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = |name: &str| folder.path().join(name).display().to_string();
+    let domain = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/domains/boundary-layer-channel.json");
+    let [page, report, curve] = ["page.html", "report.md", "curve.html"].map(at);
+    assert_eq!(mindeg(["compare", domain, "-o", &page, "-o", &report]).code, Some(0));
+    assert_eq!(mindeg(["tradeoff", domain, "-o", &curve]).code, Some(0));
+    let command = format!("mindeg mesh {domain} --interior --condition -o ");
+    for file in [page, report, curve] {
+        let read = fs::read_to_string(&file).expect("a report");
+        let told = "have 14 points more, condition it: minimum angle 40.316°";
+        assert!(read.contains(told) && read.contains(&command), "{file}");
+    }
+    let out = at("mesh.obj");
+    let made = mindeg(["mesh", domain, "--interior", "--condition", "--json", "-o", &out]).json();
+    let angle = made["min_angle"].as_f64().expect("an angle");
+    assert_eq!(format!("{angle:.3}"), "40.316");
+}
+
 #[test]
 fn many_domains_make_a_folder_with_an_index() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -307,7 +307,14 @@ pub(super) fn facts(
 pub(super) fn commands(report: &Report) -> Vec<String> {
     let purposes = report.advice.purposes(report.purpose);
     let possible = purposes.into_iter().filter(|&purpose| report.advice.is_possible(purpose));
-    possible.map(|purpose| report.provenance.mesh.advised(purpose)).collect()
+    let commands = possible.map(|purpose| report.provenance.mesh.advised(purpose));
+    commands.chain(conditioned_command(report)).collect()
+}
+
+/// The command of the mesh with points on edges, if the verdict names it: no method has that mesh.
+fn conditioned_command(report: &Report) -> Option<String> {
+    let on_edges = report.advice.on_edges(&report.advice.purposes(report.purpose));
+    on_edges.map(|_| report.provenance.mesh.conditioned())
 }
 
 fn advised_for(purpose: Purpose) -> &'static str {
@@ -330,7 +337,8 @@ fn commands_without_mesh(report: &Report) -> Vec<String> {
     let is_missing =
         |purpose: &Purpose| !shown.contains(purpose) && report.advice.is_possible(*purpose);
     let missing = purposes.into_iter().filter(is_missing);
-    missing.map(|purpose| report.provenance.mesh.advised(purpose)).collect()
+    let commands = missing.map(|purpose| report.provenance.mesh.advised(purpose));
+    commands.chain(conditioned_command(report)).collect()
 }
 
 /// The meshes that the verdict compares, the advised one first, and the others.

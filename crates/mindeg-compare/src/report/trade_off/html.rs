@@ -42,6 +42,8 @@ struct Page<'a> {
     facts: String,
     headline: &'a str,
     sentences: &'a [String],
+    /// The command of the mesh that the last sentence names, if it is none of the figures.
+    command: Option<String>,
     curve: String,
     chosen: String,
     legend: Vec<DegreeColor>,
@@ -129,6 +131,8 @@ pub fn write_trade_off_html(
     };
     let verdict = verdict(trade_off, advice, told);
     let [headline, sentences @ ..] = &verdict[..] else { return Ok(()) };
+    let on_edges = advice.on_edges(&advice.purposes(told));
+    let command = on_edges.map(|_| made_by.mesh.conditioned());
     let mut figures: Vec<Figure> = shown.iter().map(figure).collect::<io::Result<_>>()?;
     if let (Some(mesh), Some(found)) = (inside, advice.solver) {
         figures.insert(
@@ -171,6 +175,7 @@ pub fn write_trade_off_html(
         ),
         headline,
         sentences,
+        command,
         curve: curve_picture(trade_off, WIDE_CURVE, "wide", marks, is_shown)?
             + &curve_picture(trade_off, SMALL_CURVE, "narrow", marks, is_shown)?,
         chosen,
