@@ -22,7 +22,7 @@ fn a_domain_is_refused_in_words_of_its_own() {
         ("{@, \"size\": 1e-300}", "line 1, column 50, size: side 1: the size 1e-300 makes 4e300 intervals, and a boundary has at most 4294967294 vertices; give a larger size"),
         ("{@, \"size\": 1, \"vertices\": [{\"vertex\": 1, \"max_degree\": 2}]}", "line 1, column 94, vertices[0].max_degree: vertex 1 has a max_degree of 2 and needs 3: 2 edges along its straight side and 1 into the domain; raise max_degree to 3 or more"),
         ("{@, \"size\": 1, \"name\": \"\u{2028}line\"}", "line 1, column 61, name: the name of the domain contains the line break U+2028; remove this character"),
-        ("{\"rectangle\": {\"width\": 1e-17, \"height\": 1}, \"size\": 1}", "line 1, column 25, rectangle.width: the rectangle's width is 1e-17, and its coordinates are up to 1.0: 64-bit floats cannot tell its corners apart; keep width and height within a factor of 1e14, and the rectangle near the origin"),
+        ("{\"rectangle\": {\"width\": 1e-17, \"height\": 1}, \"size\": 1}", "line 1, column 25, rectangle.width: the rectangle's width is 1e-17, and its coordinates are up to 1: 64-bit floats cannot tell its corners apart; keep width and height within a factor of 1e14, and the rectangle near the origin"),
         ("{\"type\": \"FeatureCollection\", \"features\": []}", "no Polygon or MultiPolygon; the collection is empty"),
     ];
     for (domain, message) in table {

@@ -72,7 +72,7 @@ fn lines_and_points_of_geojson_are_in_the_mesh_under_their_names() {
     fs::write(&given, of_features(&[&features[..], &[out]].concat())).expect("a file");
     let refused = mindeg(["degree", text(&given)]);
     assert!(
-        refused.errors.contains("(8.0, 1.0): a line meets a border of basin there"),
+        refused.errors.contains("(8, 1): a line meets a border of basin there"),
         "{}",
         refused.errors
     );
@@ -174,12 +174,12 @@ fn lines_that_cross_are_mended_by_a_repair() {
         "lines[0]",
         "line 1",
         "line 2",
-        "(2.0, 1.0)",
+        "(2, 1)",
         "--repair gives lines that cross a point",
     ]);
     assert!(!mesh.exists());
     let run = mindeg([&command[..], &["--repair"]].concat());
-    assert!(run.errors.contains("Line 1 crosses line 2 at (2.0, 1.0)"), "{}", run.errors);
+    assert!(run.errors.contains("Line 1 crosses line 2 at (2, 1)"), "{}", run.errors);
     let verified = mindeg(["verify", text(&mesh), text(&domain), "--repair", "--json"]).json();
     assert_eq!(verified["valid"], true, "{verified}");
     // Nothing is mended in vain.

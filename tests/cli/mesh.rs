@@ -188,7 +188,7 @@ fn bad_input_is_refused_with_what_to_do() {
     let corners =
         |corners: &str| mindeg(["mesh", "--corners", corners, "--size", "1", "-o", "x.obj"]);
     corners("0,0 1,0").refuses(&["3"]);
-    corners("0,0 4,0 0,4 4,4").refuses(&["side 4", "side 2", "(2.0, 2.0)"]);
+    corners("0,0 4,0 0,4 4,4").refuses(&["side 4", "side 2", "(2, 2)"]);
     corners("0,0 4,0 0,0 0,4").refuses(&["corner 2", "folds back"]);
     corners("0,0 1,0 1,nan").refuses(&["corner 3"]);
     corners("0,0 1;0 1,1").refuses(&["corner 2"]);

@@ -253,10 +253,7 @@ fn the_sea_of_a_box_needs_no_other_program() {
     let west = points.iter().map(|point| point[0]).fold(f64::INFINITY, f64::min);
     assert!((23.35..23.45).contains(&west), "{west}");
     let run = mindeg_reading(["condition", "-", "--sea-in", "21,37,22,38"], land.as_bytes());
-    assert!(
-        run.errors.contains("the box from (21.0, 37.0) to (22.0, 38.0): polygons cover it"),
-        "{run:?}"
-    );
+    assert!(run.errors.contains("the box from (21, 37) to (22, 38): polygons cover it"), "{run:?}");
     for corners in ["23,37,25", "25,37,23,38", "a,b,c,d"] {
         let run = mindeg_reading(["condition", "-", "--sea-in", corners], land.as_bytes());
         assert_eq!(run.code, Some(2), "{run:?}");

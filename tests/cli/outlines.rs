@@ -101,7 +101,7 @@ fn the_only_surface_of_an_old_msh_has_its_name_and_what_lies_in_it() {
     fs::write(&file, msh.replace("4\n1 1", "3\n1 1").replace("2 4 \"fluid\"\n", ""))
         .expect("a file");
     let run = mindeg(["mesh".as_ref(), file.as_os_str(), "-o".as_ref(), out.as_os_str()]);
-    let note = "left out an open line of 1 piece that ends at (1.0, 1.0); with a physical surface around it, it stays";
+    let note = "left out an open line of 1 piece that ends at (1, 1); with a physical surface around it, it stays";
     assert!(run.errors.contains(note), "{run:?}");
 }
 
@@ -117,7 +117,7 @@ fn several_surfaces_without_their_boundaries_are_refused_with_the_way_out() {
     );
     let run = mindeg_reading(["mesh", "-", "-o", "-", "--format", "obj"], msh.as_bytes());
     run.refuses(&[
-        "the point (4.0, 0.0): three or more lines meet there",
+        "the point (4, 0): three or more lines meet there",
         "as MSH 4.1 (gmsh -1 -format msh4)",
     ]);
 }
@@ -262,7 +262,7 @@ fn a_polygon_that_is_no_domain_does_not_keep_the_others_from_it() {
         run.errors
     );
     assert!(
-        run.errors.contains("\npolygon 1: side 1 and side 3 cross near (2.0, 2.0)"),
+        run.errors.contains("\npolygon 1: side 1 and side 3 cross near (2, 2)"),
         "{}",
         run.errors
     );
@@ -543,7 +543,7 @@ fn layers_properties_and_overlaps_are_named() {
             &[&file, "--layer", "states", "--name-by", "name"],
             "no feature has the property \"name\"; they have \"title\"",
         ),
-        (&[&wkt], "(4.0, 2.0): a border of polygon 1 meets one of polygon 2 there"),
+        (&[&wkt], "(4, 2): a border of polygon 1 meets one of polygon 2 there"),
         (&[&wkt, "--snap", "1"], "--repair"),
         (&[&wkt, "--name-by", "name"], "WKT has no properties; polygons are named by"),
         (&[&wkt, "--layer", "name"], "WKT has no layers; a layer is an object of TopoJSON"),
@@ -605,12 +605,12 @@ fn bad_maps_are_refused_with_the_place() {
         (
             "same.json",
             json(r#""regions": [{"at": [1, 1]}, {"at": [1, 1]}]"#),
-            ["regions[1].at", "(1.0, 1.0) is at the point of region 1", "drop one"],
+            ["regions[1].at", "(1, 1) is at the point of region 1", "drop one"],
         ),
         (
             "face.json",
             json(r#""regions": [{"at": [1, 1]}, {"at": [3, 1]}]"#),
-            ["regions[1].at", "(3.0, 1.0) lies in the same face", "draw a line between them"],
+            ["regions[1].at", "(3, 1) lies in the same face", "draw a line between them"],
         ),
         (
             "hole.json",
@@ -620,7 +620,7 @@ fn bad_maps_are_refused_with_the_place() {
         (
             "leaves.json",
             json(r#""lines": [{"points": [[1, 1], [5, 2]]}]"#),
-            ["lines[0]", "cross near (4.0, 1.75)", "the line leaves the domain"],
+            ["lines[0]", "cross near (4, 1.75)", "the line leaves the domain"],
         ),
         (
             "in-hole.json",
@@ -630,22 +630,22 @@ fn bad_maps_are_refused_with_the_place() {
         (
             "drawn-twice.wkt",
             format!("{twice}POLYGON((4.0005 0, 8 0, 8 4, 4.0005 4))"),
-            ["(4.0, 4.0)", "polygon 1 and polygon 2", "--repair --snap 0.001 closes it"],
+            ["(4, 4)", "polygon 1 and polygon 2", "--repair --snap 0.001 closes it"],
         ),
         (
             "sliver.wkt",
             format!("{twice}POLYGON((4 0, 8 0, 8 4, 4 4, 4.0005 2))"),
-            ["(4.0, 4.0)", "polygon 1 and polygon 2", "--repair --snap"],
+            ["(4, 4)", "polygon 1 and polygon 2", "--repair --snap"],
         ),
         (
             "three.wkt",
             format!("{twice}POLYGON((4 0, 8 0, 8 4, 4 4)) POLYGON((4 0, 6 1, 6 3, 4 4))"),
-            ["the edge from (4.0, 4.0) to (4.0, 0.0)", "polygon 2 and polygon 3", "--repair"],
+            ["the edge from (4, 4) to (4, 0)", "polygon 2 and polygon 3", "--repair"],
         ),
         (
             "same.wkt",
             format!("{twice}{twice}"),
-            ["the edge from (0.0, 0.0) to (4.0, 0.0)", "polygon 1 and polygon 2", "--repair"],
+            ["the edge from (0, 0) to (4, 0)", "polygon 1 and polygon 2", "--repair"],
         ),
     ];
     let all: Vec<(&str, &str)> = files.iter().map(|(name, text, _)| (*name, &**text)).collect();

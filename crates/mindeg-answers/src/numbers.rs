@@ -8,12 +8,7 @@
 /// More decimals than these do not fit a column; smaller numbers are written with an exponent.
 const MAX_DECIMALS: i32 = 4;
 
-pub use mindeg_mesh::{coordinate, number, percent, significant, steady_angle};
-
-/// A place by its coordinates, in the plane or in space.
-pub(crate) fn place(axes: &[f64]) -> String {
-    format!("({})", axes.iter().map(|x| coordinate(*x)).collect::<Vec<_>>().join(", "))
-}
+pub use mindeg_mesh::{coordinate, number, percent, place, significant, steady_angle};
 
 /// The numbers of a column: all with the same number of decimals.
 ///

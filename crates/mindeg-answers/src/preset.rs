@@ -294,8 +294,7 @@ impl PresetRules {
 
 /// A place in the plane, or in space.
 fn place(at: DVec3) -> String {
-    let axes = at.to_array();
-    numbers::place(if at.z == 0.0 { &axes[..2] } else { &axes })
+    if at.z == 0.0 { numbers::place(at.truncate()) } else { numbers::place(at) }
 }
 
 /// Of each vertex whether a line of open water ends or passes there.

@@ -155,7 +155,7 @@ impl RemeshAnswer {
             lines.push(format!(
                 "{} the minimum angle, the most at {}: {}; a greater --feature-angle may drop features.",
                 things(self.corner_limits.len(), "corner limits", "corners limit"),
-                place(&worst.position),
+                place(worst.position),
                 steady_angle(worst.limit)
             ));
         }
@@ -180,7 +180,7 @@ impl RemeshAnswer {
                 things(self.violations.len(), "vertex has", "vertices have"),
                 off.vertex,
                 off.degree,
-                place(&off.position)
+                place(off.position)
             ));
         }
         if self.crossings > 0 && self.part_crossings > 0 {

@@ -10,7 +10,7 @@ use std::f64::consts::{PI, TAU};
 
 use glam::DVec2;
 use kurbo::{CubicBez, ParamCurve, ParamCurveArclen, Point};
-use mindeg_mesh::number;
+use mindeg_mesh::{number, place};
 
 use crate::error::{DomainError, Place};
 use crate::limits::{GREATEST_COORDINATE, LEAST_SIDE};
@@ -187,10 +187,10 @@ impl ArcPath {
                 let (before, after) = (point - start, end - point);
                 let turn = libm::atan2(before.perp_dot(after), before.dot(after));
                 if turn == 0.0 || turn.abs() == PI {
-                    let DVec2 { x, y } = point;
                     return error(format!(
-                        "the arc goes through ({x:?}, {y:?}), which lies on the line through its \
-                         corners; move that point off, or drop the arc"
+                        "the arc goes through {}, which lies on the line through its corners; move that point off, or drop \
+                         the arc",
+                        place(point)
                     ));
                 }
                 let chord = end - start;
@@ -396,8 +396,8 @@ mod tests {
         let (zero, one) = ([0.0, 0.0], [1.0, 0.0]);
         #[rustfmt::skip]
         let table = [
-            (message(through(0.5, 0.0), zero, one), "the arc goes through (0.5, 0.0), which lies on the line through its corners; move that point off, or drop the arc"),
-            (message(through(2.0, 0.0), zero, one), "the arc goes through (2.0, 0.0), which lies on the line through its corners; move that point off, or drop the arc"),
+            (message(through(0.5, 0.0), zero, one), "the arc goes through (0.5, 0), which lies on the line through its corners; move that point off, or drop the arc"),
+            (message(through(2.0, 0.0), zero, one), "the arc goes through (2, 0), which lies on the line through its corners; move that point off, or drop the arc"),
             (message(through(2.0, 0.0), zero, zero), "the arc ends where it starts; give its \"center\""),
             (message(around(0.25, 0.0, false), zero, one), "the arc's center is 0.25 from the corner where the arc starts and 0.75 from the corner where it ends; move it to where both are equal"),
             (message(around(0.0, 0.0, false), zero, zero), "the side has no length; move its points apart"),

@@ -7,6 +7,7 @@
 use std::ops::Range;
 
 use glam::DVec2;
+use mindeg_mesh::place;
 use mindeg_mesh::planar::{PlanarBoundary, Turn, ring_name};
 
 use crate::curve::{Curve, Path};
@@ -238,11 +239,11 @@ fn is_straight(points: &[DVec2], end: DVec2) -> Result<bool, DomainError> {
     for (index, point) in own.iter().enumerate() {
         let share = along(point);
         if share <= before || share >= length {
-            let DVec2 { x, y } = *point;
             return Err(Place::key("points").then(index).error(format!(
-                "point {} at ({x:?}, {y:?}) is not farther along the straight side than the one \
-                     before; list the points in the order in which they lie on it",
-                index + 1
+                "point {} at {} is not farther along the straight side than the one before; list the points in the order in \
+                 which they lie on it",
+                index + 1,
+                place(*point)
             )));
         }
         before = share;

@@ -28,10 +28,7 @@ fn error(fault: BoundaryFault, points: &[DVec2], rings: &Rings, joined: &Joined)
     let vertex = |at: InRing| rings.ring(at.ring).start + at.index as u32;
     let name = |at| names.point_name(vertex(at));
     let edge_name = |at| names.edge_name(vertex(at));
-    let position = |at| {
-        let DVec2 { x, y } = points[vertex(at) as usize];
-        format!("at ({x:?}, {y:?})")
-    };
+    let position = |at| format!("at {}", mindeg_mesh::place(points[vertex(at) as usize]));
     let first = |ring| format!("with its first corner {}", position(InRing { ring, index: 0 }));
     let (place, message) = match fault {
         BoundaryFault::SamePoint([Ring(first), Ring(second)]) => {
@@ -62,10 +59,10 @@ fn error(fault: BoundaryFault, points: &[DVec2], rings: &Rings, joined: &Joined)
         BoundaryFault::Crossing([Ring(first), Ring(second)]) => {
             let edges = [first, second];
             let ends = |at| [vertex(at), rings.next(vertex(at))].map(|v| points[v as usize]);
-            let DVec2 { x, y } = crossing(edges.map(ends));
+            let near = mindeg_mesh::place(crossing(edges.map(ends)));
             let [first, second] = edges.map(edge_name);
             let message = format!(
-                "{first} and {second} cross near ({x:?}, {y:?}); list the points in the order in \
+                "{first} and {second} cross near {near}; list the points in the order in \
                  which they lie around the domain, and keep rings apart"
             );
             let (side, index) = names.on_side(vertex(edges[1]));
@@ -133,12 +130,11 @@ fn of_line(
         BoundaryPlace::Line { line, .. } => Some(Place::key("lines").then(line)),
         BoundaryPlace::Point(index) => Some(Place::key("points").then(joined.given[index])),
     };
-    let at = |DVec2 { x, y }: DVec2| format!("({x:?}, {y:?})");
     let (places, message) = match fault {
         BoundaryFault::Crossing(edges) => {
             let near = crossing(edges.map(|edge| [0, 1].map(|step| position(vertex(edge, step)))));
             let [first, second] = edges.map(name);
-            let near = at(near);
+            let near = mindeg_mesh::place(near);
             let message = match edges.map(|edge| matches!(edge, Ring(_))) {
                 [true, _] | [_, true] => format!(
                     "{first} and {second} cross near {near}, where the line leaves the domain; end it there, or keep it inside"
@@ -151,7 +147,7 @@ fn of_line(
         }
         BoundaryFault::Overlap(edges) => {
             let [first, second] = edges.map(name);
-            let near = at(position(vertex(edges[1], 0)));
+            let near = mindeg_mesh::place(position(vertex(edges[1], 0)));
             let message =
                 format!("{first} and {second} lie on each other near {near}; drop one of them");
             (edges, message)
@@ -161,20 +157,20 @@ fn of_line(
                 "{} touches {} at {}; end a line there, or give the point to both",
                 point_name(touching),
                 name(edge),
-                at(position(vertex(touching, 0)))
+                mindeg_mesh::place(position(vertex(touching, 0)))
             );
             ([edge, touching], message)
         }
         BoundaryFault::SamePoint(both) => {
             let [first, second] = both.map(point_name);
-            let near = at(position(vertex(both[1], 0)));
+            let near = mindeg_mesh::place(position(vertex(both[1], 0)));
             let message = format!(
                 "{first} and {second} have the same point {near}; end a line there, or move one of them"
             );
             (both, message)
         }
         BoundaryFault::Outside(place) => {
-            let near = at(position(vertex(place, 0)));
+            let near = mindeg_mesh::place(position(vertex(place, 0)));
             let message =
                 format!("{} leaves the domain near {near}; keep it inside, off holes", name(place));
             ([place; 2], message)
@@ -262,15 +258,15 @@ mod tests {
         let table = [
             (of(&[[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]], 1), "side 1 and side 3 cross near (0.5, 0.5); list the points in the order in which they lie around the domain, and keep rings apart"),
             (of(&[[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]], 3), "interval 2 of side 1 and interval 2 of side 3 cross near (0.5, 0.5); list the points in the order in which they lie around the domain, and keep rings apart"),
-            (of(&[[0.0, 0.0], [2.0, 0.0], [1.0, 0.0]], 1), "the boundary folds back on itself at corner 1 at (0.0, 0.0) (0°); drop the point or move it"),
-            (of(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [2.0, 0.0], [0.0, 2.0]], 1), "corner 4 at (2.0, 0.0) lies on side 1; a point may not lie on an edge: move it off, or split the ring there"),
-            (of(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [2.0, 0.0], [0.0, 2.0]], 2), "corner 4 is at (2.0, 0.0), where point 1 of side 1 is too; a boundary passes each point once: move one of them, or split the ring there"),
-            (holes(&[triangle(2.0, 2.0), triangle(9.0, 2.0)]), "hole 2 lies outside the outline, with its first corner at (9.0, 2.0); move it inside, or drop it"),
-            (holes(&[ring(&[[1.0, 1.0], [7.0, 1.0], [1.0, 7.0]], 1), triangle(2.0, 2.0)]), "hole 2 lies inside hole 1, with its first corner at (2.0, 2.0); drop one of them"),
+            (of(&[[0.0, 0.0], [2.0, 0.0], [1.0, 0.0]], 1), "the boundary folds back on itself at corner 1 at (0, 0) (0°); drop the point or move it"),
+            (of(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [2.0, 0.0], [0.0, 2.0]], 1), "corner 4 at (2, 0) lies on side 1; a point may not lie on an edge: move it off, or split the ring there"),
+            (of(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [2.0, 0.0], [0.0, 2.0]], 2), "corner 4 is at (2, 0), where point 1 of side 1 is too; a boundary passes each point once: move one of them, or split the ring there"),
+            (holes(&[triangle(2.0, 2.0), triangle(9.0, 2.0)]), "hole 2 lies outside the outline, with its first corner at (9, 2); move it inside, or drop it"),
+            (holes(&[ring(&[[1.0, 1.0], [7.0, 1.0], [1.0, 7.0]], 1), triangle(2.0, 2.0)]), "hole 2 lies inside hole 1, with its first corner at (2, 2); drop one of them"),
             (holes(&[triangle(2.0, 2.0), ring(&SQUARE.map(|[x, y]| [2.0 * x - 4.0, 2.0 * y - 4.0]), 1)]), "the outline lies inside hole 2; give the outer ring first, and the holes inside it"),
-            (holes(&[triangle(2.0, 2.0), triangle(1.0, 2.0)]), "corner 2 of hole 2 is at (2.0, 2.0), where corner 1 of hole 1 is too; a boundary passes each point once: move one of them, or split the ring there"),
-            (holes(&[triangle(2.0, 0.0)]), "corner 1 of hole 1 at (2.0, 0.0) lies on interval 1 of side 1; a point may not lie on an edge: move it off, or split the ring there"),
-            (holes(&[triangle(7.5, 2.0)]), "interval 1 of side 2 and side 1 of hole 1 cross near (8.0, 2.0); list the points in the order in which they lie around the domain, and keep rings apart"),
+            (holes(&[triangle(2.0, 2.0), triangle(1.0, 2.0)]), "corner 2 of hole 2 is at (2, 2), where corner 1 of hole 1 is too; a boundary passes each point once: move one of them, or split the ring there"),
+            (holes(&[triangle(2.0, 0.0)]), "corner 1 of hole 1 at (2, 0) lies on interval 1 of side 1; a point may not lie on an edge: move it off, or split the ring there"),
+            (holes(&[triangle(7.5, 2.0)]), "interval 1 of side 2 and side 1 of hole 1 cross near (8, 2); list the points in the order in which they lie around the domain, and keep rings apart"),
         ];
         for (outcome, message) in table {
             assert_eq!(outcome.unwrap_err().message, message);

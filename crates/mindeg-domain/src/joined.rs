@@ -199,8 +199,8 @@ impl Joined {
 pub(crate) fn faces(boundary: &PlanarBoundary, regions: &[Region]) -> Result<Faces, DomainError> {
     let at: Vec<DVec2> = regions.iter().map(|region| region.at).collect();
     let error = |region: usize, message: &str| {
-        let DVec2 { x, y } = at[region];
-        let message = format!("region {} at ({x:?}, {y:?}) {message}", region + 1);
+        let message =
+            format!("region {} at {} {message}", region + 1, mindeg_mesh::place(at[region]));
         Place::key("regions").then(region).then("at").error(message)
     };
     let inner = boundary.inner_points().len();

@@ -5,6 +5,7 @@
 use std::collections::{HashMap, HashSet};
 
 use glam::DVec2;
+use mindeg_mesh::place;
 use mindeg_mesh::planar::orientation;
 
 use crate::curve::Curve;
@@ -34,14 +35,14 @@ pub(crate) fn node(inside: &mut Inside, reach: f64) -> Result<Vec<String>, Domai
                 is_new |= give_corners(&mut inside.lines[line], at, reach, line)?;
             }
             if is_new {
-                let DVec2 { x, y } = at;
                 let crossed = match one == other {
                     true => "itself".to_owned(),
                     false => format!("line {}", other + 1),
                 };
                 notes.push(format!(
-                    "Line {} crosses {crossed} at ({x:?}, {y:?}) and has a corner there; a number of intervals was shared out by length.",
-                    one + 1
+                    "Line {} crosses {crossed} at {} and has a corner there; a number of intervals was shared out by length.",
+                    one + 1,
+                    place(at)
                 ));
             }
         }
@@ -243,18 +244,18 @@ mod tests {
             let domain = noded(lines);
             let found = domain.inside().lines.iter().map(|line| line.corners.len());
             assert!(found.eq(corners), "{lines}");
-            assert!(domain.notes().iter().all(|note| note.contains("(2.0, 2.0)")), "{lines}");
+            assert!(domain.notes().iter().all(|note| note.contains("(2, 2)")), "{lines}");
         }
     }
 
     #[test]
     fn lines_that_cross_get_a_vertex_there_if_asked() {
         let error = Domain::from_json(CROSSING).unwrap_err().to_string();
-        assert!(error.contains("line 1") && error.contains("(1.5, 1.0)"), "{error}");
+        assert!(error.contains("line 1") && error.contains("(1.5, 1)"), "{error}");
         let domain = Domain::from_json_noded(CROSSING).unwrap();
         let notes = domain.notes();
         assert_eq!(notes.len(), 3, "{notes:?}");
-        assert!(notes[0].starts_with("Line 1 crosses line 2 at (2.25, 1.0)"), "{notes:?}");
+        assert!(notes[0].starts_with("Line 1 crosses line 2 at (2.25, 1)"), "{notes:?}");
         // The last two have a vertex and an edge there.
         for at in [[2.25, 1.0], [1.5, 1.0], [3.5, 1.0]] {
             let count = domain.inner_points().iter().filter(|point| point.to_array() == at).count();

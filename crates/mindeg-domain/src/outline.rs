@@ -4,8 +4,8 @@
 //! cross is checked later, on all points (`intersection.rs`).
 
 use glam::DVec2;
-use mindeg_mesh::number;
 use mindeg_mesh::planar::{InRing, ring_name};
+use mindeg_mesh::{number, place};
 
 use crate::curve::Curve;
 use crate::error::{DomainError, Place, counted};
@@ -112,11 +112,10 @@ fn check_distance(ring: usize, corners: &[DVec2], first: usize) -> Result<(), Do
     let both = format!("corners {} and {}", first + 1, second.named_last());
     let error = |message| Err(Place::corner(second).touch(message));
     if start == end {
-        let DVec2 { x, y } = start;
         let whole = if ring == 0 { "outline" } else { "hole" };
         return error(format!(
-            "{both} are the same point ({x:?}, {y:?}); give each corner once (the {whole} closes by \
-             itself)"
+            "{both} are the same point {}; give each corner once (the {whole} closes by itself)",
+            place(start)
         ));
     }
     // Neither difference overflows or vanishes where its square would.
@@ -148,8 +147,8 @@ mod tests {
             (2, &[[0.0, 0.0]], "found 1 corner of hole 2; a hole of straight sides needs at least 3"),
             (0, &[[0.0, 0.0], [1.0, f64::NAN], [0.0, 1.0]], "corner 2 is at (1.0, NaN); coordinates must be finite and at most 1e100 in size"),
             (1, &[[0.0, 0.0], [1.0, 0.0], [0.0, 1e101]], "corner 3 of hole 1 is at (0.0, 1e101); coordinates must be finite and at most 1e100 in size"),
-            (0, &[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 0.0]], "corners 4 and 1 are the same point (0.0, 0.0); give each corner once (the outline closes by itself)"),
-            (3, &[[0.0, 0.0], [1.0, 0.0], [1.0, 0.0], [0.0, 3.0]], "corners 2 and 3 of hole 3 are the same point (1.0, 0.0); give each corner once (the hole closes by itself)"),
+            (0, &[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 0.0]], "corners 4 and 1 are the same point (0, 0); give each corner once (the outline closes by itself)"),
+            (3, &[[0.0, 0.0], [1.0, 0.0], [1.0, 0.0], [0.0, 3.0]], "corners 2 and 3 of hole 3 are the same point (1, 0); give each corner once (the hole closes by itself)"),
             (0, &[[0.0, 0.0], [1e-101, 0.0], [0.0, 1e-101]], "corners 1 and 2 coincide: their distance is 1e-101, and the minimum at these coordinates is 1e-100; drop one of them"),
             (0, &[[0.0, 0.0], [4.0, 0.0], [4.0, 1e-17], [0.0, 3.0]], "corners 2 and 3 coincide: their distance is 1e-17, and the minimum at these coordinates is 7.105e-15; drop one of them"),
         ];

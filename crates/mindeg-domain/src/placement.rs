@@ -8,9 +8,8 @@
 //! that rounding inverts it; meshing refuses to return such a triangle.
 
 use glam::{DVec2, DVec3};
-use mindeg_mesh::number;
 use mindeg_mesh::planar::{InRing, PlanarBoundary, doubled_area};
-use mindeg_mesh::{Bounds, Positions};
+use mindeg_mesh::{Bounds, Positions, number, place};
 
 use crate::error::{DomainError, Place};
 use crate::limits::{EXACT_COORDINATES, LEAST_ROUNDINGS};
@@ -156,10 +155,10 @@ impl Placement {
         let is_exact = |x: f64| x == 0.0 || EXACT_COORDINATES.contains(&x.abs());
         let inexact = |point: &DVec2| !(is_exact(point.x) && is_exact(point.y));
         let Some(vertex) = self.points().position(|point| inexact(&point)) else { return Ok(()) };
-        let DVec2 { x, y } = self.point(vertex as u32);
         Err(Place::corners(self.rings.ring_of(vertex as u32)).error(format!(
-            "vertex {vertex} is at ({x:?}, {y:?}); the coordinates of a domain that is not convex \
+            "vertex {vertex} is at {}; the coordinates of a domain that is not convex \
                  are 0 or of magnitude {} to {}: use another unit of length",
+            place(self.point(vertex as u32)),
             number(*EXACT_COORDINATES.start()),
             number(*EXACT_COORDINATES.end())
         )))

@@ -5,6 +5,7 @@
 //! [`Domain::new`]: crate::Domain::new
 
 use glam::DVec2;
+use mindeg_mesh::number;
 
 use crate::error::{DomainError, Place};
 use crate::limits::{GREATEST_COORDINATE, LEAST_ROUNDINGS, LEAST_SIDE};
@@ -96,9 +97,9 @@ impl Rectangle {
                 return Err(error(
                     key,
                     format!(
-                        "is {value:?}, and its coordinates are up to {coordinate:?}: 64-bit floats \
-                         cannot tell its corners apart; keep width and height within a factor of \
-                         1e14, and the rectangle near the origin"
+                        "is {value:?}, and its coordinates are up to {}: 64-bit floats cannot tell its corners apart; keep width and \
+                         height within a factor of 1e14, and the rectangle near the origin",
+                        number(coordinate)
                     ),
                 ));
             }
@@ -158,8 +159,8 @@ mod tests {
             (at(1e-101, 1e-101, 0.0, 0.0), "the rectangle's width is 1e-101; the minimum is 1e-100; use another unit of length"),
             (at(1.0, 1e101, 0.0, 0.0), "a corner of the rectangle is at (1.0, 1e101); coordinates must be finite and at most 1e100 in size; use another unit of length"),
             (at(1.0, 1.0, f64::NAN, 0.0), "a corner of the rectangle is at (NaN, 0.0); coordinates must be finite and at most 1e100 in size; use another unit of length"),
-            (at(1e-17, 1.0, 0.0, 0.0), "the rectangle's width is 1e-17, and its coordinates are up to 1.0: 64-bit floats cannot tell its corners apart; keep width and height within a factor of 1e14, and the rectangle near the origin"),
-            (at(1e17, 1.0, 0.0, 45.0), "the rectangle's height is 1.0, and its coordinates are up to 7.071067811865476e16: 64-bit floats cannot tell its corners apart; keep width and height within a factor of 1e14, and the rectangle near the origin"),
+            (at(1e-17, 1.0, 0.0, 0.0), "the rectangle's width is 1e-17, and its coordinates are up to 1: 64-bit floats cannot tell its corners apart; keep width and height within a factor of 1e14, and the rectangle near the origin"),
+            (at(1e17, 1.0, 0.0, 45.0), "the rectangle's height is 1.0, and its coordinates are up to 7.071e16: 64-bit floats cannot tell its corners apart; keep width and height within a factor of 1e14, and the rectangle near the origin"),
             (at(1.0, 1.0, 1e17, 0.0), "the rectangle's width is 1.0, and its coordinates are up to 1e17: 64-bit floats cannot tell its corners apart; keep width and height within a factor of 1e14, and the rectangle near the origin"),
         ];
         for (outcome, message) in table {

@@ -195,8 +195,10 @@ fn log_ratio(length: f64, m: u32, side_length: f64) -> Result<f64, DomainError> 
     let share = length / side_length;
     if share >= 1.0 {
         return Err(error(format!(
-            "an interval of length {length:?} leaves nothing of the side's {side_length:?} for the \
-             other {}; give a shorter length or 1 interval",
+            "an interval of length {} leaves nothing of the side's {} for the other {}; give a shorter length \
+             or 1 interval",
+            number(length),
+            number(side_length),
             counted(m as usize - 1, "interval")
         )));
     }
@@ -401,7 +403,7 @@ mod tests {
             (
                 Spacing::FirstLength(7.0),
                 3,
-                "an interval of length 7.0 leaves nothing of the side's 4.0 for the other 2 intervals; give a shorter length or 1 interval",
+                "an interval of length 7 leaves nothing of the side's 4 for the other 2 intervals; give a shorter length or 1 interval",
             ),
             (
                 Spacing::LastLength(3.0),

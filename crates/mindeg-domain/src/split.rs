@@ -73,11 +73,12 @@ pub(crate) fn split_sides(
                 split = Some((name, at));
             }
         }
-        notes.extend(split.map(|(side, DVec2 { x, y })| {
+        notes.extend(split.map(|(side, at)| {
             format!(
-                "Line {} ends within {side}, which was split there, at ({x:?}, {y:?}); a number of intervals \
+                "Line {} ends within {side}, which was split there, at {}; a number of intervals \
                  was shared out by length.",
-                line + 1
+                line + 1,
+                mindeg_mesh::place(at)
             )
         }));
     }

@@ -7,8 +7,8 @@ use glam::DVec2;
 use mindeg_delaunay::DelaunayError;
 use mindeg_domain::{DomainError, Interior, Size, SizeAt, SizeFile, SizeFrom};
 use mindeg_mesh::Cancelled;
-use mindeg_mesh::number;
 use mindeg_mesh::planar::{BoundaryFaults, PlanarBoundary};
+use mindeg_mesh::{number, place};
 use std::collections::BTreeMap;
 use std::ops::{Range, RangeInclusive};
 use thiserror::Error;
@@ -101,7 +101,7 @@ pub enum InteriorError {
     #[error(transparent)]
     Boundary(#[from] BoundaryFaults),
     /// A coordinate that is too great or small to square.
-    #[error("boundary vertex {vertex} is at ({}, {}); coordinates are 0 or of magnitude 1e-70 to 1e70", at[0], at[1])]
+    #[error("boundary vertex {vertex} is at {}; coordinates are 0 or of magnitude 1e-70 to 1e70", place(*at))]
     Coordinate {
         /// The vertex.
         vertex: u32,
@@ -158,7 +158,7 @@ pub enum InteriorError {
         vertex: u32,
     },
     /// A position outside the domain.
-    #[error("{what} at ({}, {}) is not inside the domain", at[0], at[1])]
+    #[error("{what} at {} is not inside the domain", place(*at))]
     Outside {
         /// The feature at that position.
         what: String,
@@ -167,10 +167,10 @@ pub enum InteriorError {
     },
     /// Coordinates that cannot hold a point and its neighbours apart.
     #[error(
-        "no point fits at ({}, {}): edges there would be {} long, and the largest coordinate of \
+        "no point fits at {}: edges there would be {} long, and the largest coordinate of \
          the boundary is rounded to {}; move the domain towards the origin, or mesh it \
          without interior points",
-        at[0], at[1], number(*size), number(*rounding)
+        place(*at), number(*size), number(*rounding)
     )]
     NoRoom {
         /// The place.

@@ -57,7 +57,7 @@ pub use mesh::{
     Group, Line, LineKind, Material, Mesh, NamedVertex, PeriodicLine, Positions, Triangles, filled,
 };
 pub use normals::vertex_normals;
-pub use numbers::{coordinate, listed, number, percent, significant, steady_angle};
+pub use numbers::{coordinate, listed, number, percent, place, significant, steady_angle};
 pub use polygons::{NonTriangles, Polygons};
 pub use progress::{Cancelled, Counter, Progress, Step};
 pub use random::Random;

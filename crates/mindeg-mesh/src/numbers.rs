@@ -24,6 +24,18 @@ pub fn coordinate(value: f64) -> String {
     significant(value, 6)
 }
 
+/// A place by its coordinates, in the plane or in space.
+///
+/// ```
+/// use mindeg_mesh::place;
+///
+/// assert_eq!(place([0.1 + 0.2, 1.0]), "(0.3, 1)");
+/// ```
+#[must_use]
+pub fn place<const N: usize>(at: impl Into<[f64; N]>) -> String {
+    format!("({})", at.into().map(coordinate).join(", "))
+}
+
 /// An angle in degrees: to three decimals, and one too small for them as a [`number`].
 ///
 /// ```

@@ -189,17 +189,14 @@ mod tests {
     fn open_lines_are_left_out_and_branches_refused() {
         let (rings, note) = joined(&[[7, 8], [0, 1], [8, 9], [1, 2], [2, 0]]).unwrap();
         assert_eq!(rings, [[0.0, 1.0, 2.0]]);
-        assert_eq!(note.unwrap(), "left out an open line of 2 pieces that ends at (7.0, 0.0)");
+        assert_eq!(note.unwrap(), "left out an open line of 2 pieces that ends at (7, 0)");
         let error = joined(&[[0, 1], [1, 2]]).unwrap_err();
         assert_eq!(
             error,
-            "the point (0.0, 0.0): no line closes: the first one ends there; close the boundary"
+            "the point (0, 0): no line closes: the first one ends there; close the boundary"
         );
         let error = joined(&[[0, 1], [1, 2], [2, 0], [2, 3]]).unwrap_err();
-        assert!(
-            error.starts_with("the point (2.0, 0.0): three or more lines meet there"),
-            "{error}"
-        );
+        assert!(error.starts_with("the point (2, 0): three or more lines meet there"), "{error}");
         assert!(joined(&[[0, 1], [1, 2], [2, 0], [2, 2]]).is_err());
     }
 

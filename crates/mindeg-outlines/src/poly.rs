@@ -288,16 +288,16 @@ mod tests {
             (
                 "2 3.9 1.9 2.5",
                 "2 9 9 2.5",
-                "region 2 at (9.0, 9.0): it lies outside all closed lines; move",
+                "region 2 at (9, 9): it lies outside all closed lines; move",
             ),
             ("2 3.9 1.9 2.5", "2 0.9 0.7 2.5", "region 2.5 at (0.9, 0.7): it lies in a hole; drop"),
             ("2 3.9 1.9 2.5", "2 3.9 1.9", "line 32: the attribute of a region is missing"),
             ("2 3.9 1.9 2.5", "", "line 32: the file ends before its last region"),
-            ("12 1.5 1.5", "12 9 9", "(9.0, 9.0): this point lies outside all regions"),
+            ("12 1.5 1.5", "12 9 9", "(9, 9): this point lies outside all regions"),
             (
                 "11 3.5 1 0",
                 "11 9 1 0",
-                "(4.0, 1.0): segments meet there, and one of them has no vertex there; give",
+                "(4, 1): segments meet there, and one of them has no vertex there; give",
             ),
         ] {
             let error = map(&ROOMS.replacen(from, to, 1)).unwrap_err();

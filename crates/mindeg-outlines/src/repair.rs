@@ -4,7 +4,7 @@
 //! are those of all points that a fill rule counts as inside; they do not overlap. A hole may touch another
 //! ring of its polygon at vertices.
 
-use mindeg_mesh::{coordinate, number};
+use mindeg_mesh::{number, place};
 use std::collections::BTreeSet;
 
 use glam::DVec2;
@@ -101,11 +101,11 @@ impl Outlines {
                 count => format!("{count} vertices"),
             };
             let degrees = self.projection.map(|projection| projection.to_degrees(*at));
-            let [x, y] = degrees.unwrap_or(*at).to_array().map(coordinate);
             let unit = if degrees.is_some() { " m" } else { "" };
             self.notes.push(format!(
-                "moved {vertices} of touching holes by {}{unit} at most, at ({x}, {y})",
-                number(*far)
+                "moved {vertices} of touching holes by {}{unit} at most, at {}",
+                number(*far),
+                place(degrees.unwrap_or(*at))
             ));
         }
         self

@@ -42,7 +42,7 @@ pub(super) fn quoted(word: &str) -> String {
 
 /// A point as a message shows it.
 pub(super) fn shown(point: DVec2) -> String {
-    format!("({:?}, {:?})", point.x, point.y)
+    mindeg_mesh::place(point)
 }
 
 /// Such as "1 line" or "3 lines".

@@ -87,9 +87,9 @@ pub fn stitch(
         && let Some(at) = meshes.iter().flat_map(TriMesh::positions).find(|at| !is_in_degrees(at))
     {
         return Err(MeshError::Refused(format!(
-            "a mesh is not in degrees, since it has a vertex at ({}, {}), and the area or the projection is for degrees: give the area in the \
+            "a mesh is not in degrees, since it has a vertex at {}, and the area or the projection is for degrees: give the area in the \
              coordinates of the meshes, without a projection",
-            at.x, at.y
+            mindeg_mesh::place(at.truncate())
         )));
     }
     let meshes = match projection {

@@ -132,10 +132,10 @@ fn holes_without_a_region_beside_them_are_refused_with_the_place() {
     };
     #[rustfmt::skip]
     let table = [
-        (r#""lines": [{"corners": [[1, 0], [1, 2]]}], "regions": [{"at": [0.5, 1], "hole": true}]"#, "regions[0].at: region 1 at (0.5, 1.0) is a hole, and edge 1 has no region on either side; draw the outline around the hole"),
-        (r#""lines": [{"corners": [[1, 0.5], [3, 0.5], [2, 1.5]], "closed": true}, {"corners": [[1.8, 0.8], [2, 1]]}], "regions": [{"at": [2, 0.7], "hole": true}]"#, "regions[0].at: region 1 at (2.0, 0.7) is a hole, and edge 1 of line 2 has no region on either side; drop this edge, or make one of its sides a region"),
-        (r#""holes": [{"ring": [[1.9, 0.7], [2, 0.8], [2.1, 0.7]]}], "lines": [{"corners": [[1, 0.5], [3, 0.5], [2, 1.5]], "closed": true}], "regions": [{"at": [2, 0.6], "hole": true}]"#, "regions[0].at: region 1 at (2.0, 0.6) is a hole, and edge 1 of hole 1 has no region on either side; drop the inner one of the two holes"),
-        (r#""points": [{"at": [2, 0.9]}], "lines": [{"corners": [[1, 0.5], [3, 0.5], [2, 1.5]], "closed": true}], "regions": [{"at": [2, 0.6], "hole": true}]"#, "regions[0].at: region 1 at (2.0, 0.6) is a hole around point 1; move the point, or drop it"),
+        (r#""lines": [{"corners": [[1, 0], [1, 2]]}], "regions": [{"at": [0.5, 1], "hole": true}]"#, "regions[0].at: region 1 at (0.5, 1) is a hole, and edge 1 has no region on either side; draw the outline around the hole"),
+        (r#""lines": [{"corners": [[1, 0.5], [3, 0.5], [2, 1.5]], "closed": true}, {"corners": [[1.8, 0.8], [2, 1]]}], "regions": [{"at": [2, 0.7], "hole": true}]"#, "regions[0].at: region 1 at (2, 0.7) is a hole, and edge 1 of line 2 has no region on either side; drop this edge, or make one of its sides a region"),
+        (r#""holes": [{"ring": [[1.9, 0.7], [2, 0.8], [2.1, 0.7]]}], "lines": [{"corners": [[1, 0.5], [3, 0.5], [2, 1.5]], "closed": true}], "regions": [{"at": [2, 0.6], "hole": true}]"#, "regions[0].at: region 1 at (2, 0.6) is a hole, and edge 1 of hole 1 has no region on either side; drop the inner one of the two holes"),
+        (r#""points": [{"at": [2, 0.9]}], "lines": [{"corners": [[1, 0.5], [3, 0.5], [2, 1.5]], "closed": true}], "regions": [{"at": [2, 0.6], "hole": true}]"#, "regions[0].at: region 1 at (2, 0.6) is a hole around point 1; move the point, or drop it"),
         (r#""regions": [{"at": [2, 0.6], "hole": true, "name": "well"}]"#, "regions[0].name: region 1 is a hole, which has no triangles; drop its name"),
     ];
     for (rest, expected) in table {

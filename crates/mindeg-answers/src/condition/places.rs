@@ -62,7 +62,7 @@ pub(crate) fn place_in_words(degrees: Option<[f64; 2]>, at: [f64; 2]) -> String 
             let [x, y] = degrees.map(|it| (it * 1e6).round() / 1e6);
             format!("longitude {x}, latitude {y}")
         }
-        (None, at) => numbers::place(&at),
+        (None, at) => numbers::place(at),
     }
 }
 

@@ -111,7 +111,7 @@ fn what_is_left_out_is_said_and_errors_say_where() {
         outlines.notes,
         [
             UNIT,
-            "left out an open line of 1 piece that ends at (0.0, 0.0)",
+            "left out an open line of 1 piece that ends at (0, 0)",
             "left out 1 SPLINE, 2 TEXTs"
         ]
     );
@@ -129,7 +129,7 @@ fn what_is_left_out_is_said_and_errors_say_where() {
         ("LINE 10=0 20=0 11=1", "line 15: the LINE has no group code 21"),
         ("LINE 10=0 20=a 11=1", "line 20: found \"a\", expected a finite number"),
         ("CIRCLE x=0", "line 17: found \"x\", expected a group code"),
-        ("LINE 10=0 20=0 11=1 21=0", "the point (0.0, 0.0): no line closes"),
+        ("LINE 10=0 20=0 11=1 21=0", "the point (0, 0): no line closes"),
         ("LINE 10=-1e308 20=0 11=1e308 21=0", "the section ENTITIES: a coordinate is too large"),
     ] {
         let error = read(entities).unwrap_err();

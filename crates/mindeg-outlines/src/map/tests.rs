@@ -84,40 +84,40 @@ fn faults_name_both_regions_and_the_place() {
     for (wkt, message) in [
         (
             "POLYGON((0 0, 4 0, 4 4, 0 4)) POLYGON((2 2, 6 2, 6 6, 2 6))",
-            "(4.0, 2.0): a border of polygon 1 meets one of polygon 2 there",
+            "(4, 2): a border of polygon 1 meets one of polygon 2 there",
         ),
         (
             "POLYGON((0 0, 4 0, 4 4, 0 4)) POLYGON((1 1, 2 1, 2 2))",
-            "the edge from (1.0, 1.0) to (2.0, 1.0): polygon 2 and polygon 1 overlap there",
+            "the edge from (1, 1) to (2, 1): polygon 2 and polygon 1 overlap there",
         ),
         (
             "POLYGON((0 0, 4 0, 4 4, 0 4)) POLYGON((0 0, 4 0, 4 4, 0 4))",
-            "the edge from (0.0, 0.0) to (4.0, 0.0): polygon 1 and polygon 2 overlap there",
+            "the edge from (0, 0) to (4, 0): polygon 1 and polygon 2 overlap there",
         ),
         (
             "POLYGON((0 0, 4 0, 4 4, 0 4)) POLYGON((4 1, 6 1, 6 3, 4 3))",
-            "(4.0, 1.0): a border of polygon 1 meets one of polygon 2 there",
+            "(4, 1): a border of polygon 1 meets one of polygon 2 there",
         ),
         (
             "POLYGON((0 0, 4 0, 4 4, 0 4), (5 5, 6 5, 6 6))",
-            "the edge from (5.0, 5.0) to (6.0, 5.0): a hole of polygon 1 lies outside it",
+            "the edge from (5, 5) to (6, 5): a hole of polygon 1 lies outside it",
         ),
         (
             "POLYGON((0 0, 4 0, 9 1, 4 0, 4 4))",
-            "the edge from (9.0, 1.0) to (4.0, 0.0): polygon 1 runs along it twice",
+            "the edge from (9, 1) to (4, 0): polygon 1 runs along it twice",
         ),
         (
             "POLYGON((0 0, 4 0, 2 4)) POLYGON((0 0, 2 -4, 4 0, 2 -0.001))",
-            "(4.0, 0.0): a gap 0.0005 wide and 4 long is between polygon 1 and polygon 2; --repair --snap 0.001 closes",
+            "(4, 0): a gap 0.0005 wide and 4 long is between polygon 1 and polygon 2; --repair --snap 0.001 closes",
         ),
         // Open at both ends; and at one.
         (
             "POLYGON((0 0, 4 0, 4 4, 0 4)) POLYGON((4.0005 1, 8 0, 8 4, 4.0005 5))",
-            "(4.0, 4.0): a gap 0.0005 wide and 3 long is between polygon 1 and polygon 2; --repair --snap 0.001 closes",
+            "(4, 4): a gap 0.0005 wide and 3 long is between polygon 1 and polygon 2; --repair --snap 0.001 closes",
         ),
         (
             "POLYGON((0 0, 4 0, 4 4, 0 4)) POLYGON((4 0, 8 0, 8 4, 4.0005 2))",
-            "(4.0, 0.0): a gap 0.0005 wide and 2 long is between polygon 1 and polygon 2; --repair --snap 0.001 closes",
+            "(4, 0): a gap 0.0005 wide and 2 long is between polygon 1 and polygon 2; --repair --snap 0.001 closes",
         ),
     ] {
         let error = of_wkt(wkt, None).unwrap_err();
@@ -347,7 +347,7 @@ fn rings_that_touch_and_part_a_polygon_are_named() {
     let wkt = "POLYGON((0 0,8 0,8 8,0 8),(0 0,4 3,8 8,3 4))";
     let error = polygons(wkt)[0].domain(&Division::default()).unwrap_err();
     assert!(error.is_touch, "{error}");
-    let words = "rings touch, as at (0.0, 0.0), so that it falls into 2 parts";
+    let words = "rings touch, as at (0, 0), so that it falls into 2 parts";
     assert!(error.to_string().ends_with(words), "{error}");
 }
 

@@ -152,7 +152,7 @@ fn errors_of_an_obj_say_where_and_what() {
         ("v 1 2", "line 5: a vertex has three coordinates; found 2"),
         ("v 1 2 x", "line 5: the coordinate \"x\" is not a finite number"),
         ("v 1 1 1\nl 1 2 5 1", "the points do not lie in a plane of equal z"),
-        ("l 1 2 3", "the point (0.0, 0.0): no line closes"),
+        ("l 1 2 3", "the point (0, 0): no line closes"),
     ] {
         let error = read_obj(&format!("{SQUARE}{lines}")).unwrap_err();
         assert!(error.starts_with(message) || error.contains(message), "{error}");
@@ -246,7 +246,7 @@ fn surfaces_without_curves_and_points_outside_are_told() {
     );
     let outside = text.replace("1 0.5 0\n$EndNodes", "9 9 0\n$EndNodes");
     let error = map(&outside).unwrap_err();
-    assert!(error.starts_with("(9.0, 9.0): this point lies outside all regions"), "{error}");
+    assert!(error.starts_with("(9, 9): this point lies outside all regions"), "{error}");
     let line = text.replace("0.5 1 0\n1 1 0\n1.5 1.2 0\n", "9 1 0\n9 2 0\n9 3 0\n");
     let error = map(&line).unwrap_err();
     assert!(error.contains("this line lies outside all regions"), "{error}");

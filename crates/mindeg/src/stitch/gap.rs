@@ -34,7 +34,7 @@ struct Crossing {
 
 /// A point in words.
 pub(super) fn shown(at: DVec2) -> String {
-    format!("({}, {})", at.x, at.y)
+    mindeg_mesh::place(at)
 }
 
 /// The rings around the gap, each with the gap on its left.

@@ -1,7 +1,6 @@
 //! The defects that keep a mesh from being a triangulation of a domain, in words.
 
 use glam::{DVec2, DVec3};
-use mindeg_mesh::coordinate;
 
 /// Why a mesh is not a triangulation of a domain. Vertices and triangles have the indices of the mesh, from
 /// 0; boundary points those of the domain, from 0.
@@ -36,10 +35,10 @@ pub(super) const STRAIGHT: &str = "a turn of less than 1e-9 radians counts as st
 
 /// A point of the domain's plane.
 pub(super) fn at(point: DVec2) -> String {
-    format!("({}, {})", coordinate(point.x), coordinate(point.y))
+    mindeg_mesh::place(point)
 }
 
 /// A point in space.
 pub(super) fn in_space(place: DVec3) -> String {
-    format!("({}, {}, {})", coordinate(place.x), coordinate(place.y), coordinate(place.z))
+    mindeg_mesh::place(place)
 }
