@@ -10,7 +10,7 @@ use crate::provenance::domain_words;
 use crate::standard_output::print;
 use crate::terminal::say;
 use mindeg::Domain;
-use mindeg_answers::names::part_name;
+use mindeg_answers::names::{part_name, shown};
 use mindeg_explore::{
     Divide, KnownFiles, MAX_BYTES, REPAIRED, Server, ServerError, Setup, Source, presets,
     repaired_if_refused, sources,
@@ -23,6 +23,7 @@ use std::path::Path;
 pub(crate) fn run(arguments: &ExploreArguments) -> Result<(), Failure> {
     let mut known = KnownFiles::default();
     let (start, choices) = start(&arguments.domain, &mut known)?;
+    let offer = offer(start.as_ref(), &choices);
     let surface = match &start {
         Some(source) if source.is_solid => surface(&arguments.domain)?,
         _ => Vec::new(),
@@ -40,8 +41,19 @@ pub(crate) fn run(arguments: &ExploreArguments) -> Result<(), Failure> {
     if !arguments.no_open && !open(&address) {
         say("No browser was found; open the address yourself.");
     }
+    offer.iter().for_each(|offer| say(offer));
     say("Ctrl-C ends it.");
     match server.run().map_err(failed)? {}
+}
+
+/// What else a file of several polygons has, and how to choose; the page offers them by name.
+fn offer(start: Option<&Source>, choices: &[Source]) -> Option<String> {
+    let others = choices.len().checked_sub(1)?;
+    let start = start?;
+    Some(format!(
+        "The page begins with {} and offers {others} more of the file by name; --feature chooses one here.",
+        shown(&start.name)
+    ))
 }
 
 /// The domain of the command line, or the first of its file; then all, if there are several.

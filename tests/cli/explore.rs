@@ -91,6 +91,29 @@ mod page {
         }
     }
 
+    /// A file of several polygons began with the first, and the terminal did not tell of the others.
+    #[test]
+    fn other_polygons_of_a_file_are_told() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let (far, one) =
+            ("POLYGON((0 0, 4 0, 4 4)) POLYGON((9 0, 12 0, 12 4))", "POLYGON((0 0, 4 0, 4 4))");
+        for (content, told) in [
+            (
+                far,
+                "The page begins with polygon 1 and offers 2 more of the file by name; --feature chooses one here.\n",
+            ),
+            (one, ""),
+        ] {
+            fs::write(folder.path().join("a.wkt"), content).expect("a file");
+            let page = Page::open(folder.path(), &["a.wkt"]);
+            // It answers once all is told.
+            page.ask("GET /api/start", &Value::Null);
+            page.process.send(2);
+            let errors = page.process.output().stderr;
+            assert_eq!(String::from_utf8_lossy(&errors), format!("{told}Ctrl-C ends it.\n"));
+        }
+    }
+
     /// Runs a command of the page as a user would paste it.
     fn pasted(folder: &Path, command: &str) -> Run {
         let programs = Path::new(env!("CARGO_BIN_EXE_mindeg")).parent().expect("a folder");
