@@ -49,6 +49,9 @@ pub(super) fn run(
             files.iter().map(|of_pattern| of_pattern[index].clone()).collect();
         let domain = polygons.domain(polygon).map_err(Failure::from);
         let meshed = domain.and_then(|domain| {
+            // Several without a name would all be called alike.
+            let called = domain.name().is_none().then(|| domain.clone().named(polygon.name()).ok());
+            let domain = called.flatten().unwrap_or(domain);
             mesh(&domain, &outputs).map_err(|failure| failure.of(&polygon.name()))
         });
         match meshed {

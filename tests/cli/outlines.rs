@@ -269,6 +269,25 @@ fn a_polygon_that_is_no_domain_does_not_keep_the_others_from_it() {
     assert_eq!(names_in(&out), ["polygon-2.obj"]);
 }
 
+/// Both were called "domain" in the text and "mesh" in their files.
+#[test]
+fn meshes_of_polygons_without_names_are_called_apart() {
+    let folder = folder(&[("a.wkt", "POLYGON((0 0, 4 0, 4 4, 0 4)) POLYGON((9 0, 12 0, 12 4))")]);
+    let (file, out) = (folder.path().join("a.wkt"), folder.path().join("out/"));
+    let run = mindeg(["mesh".as_ref(), file.as_os_str(), "-o".as_ref(), out.as_os_str()]);
+    for index in [1, 2] {
+        let told = format!("polygon {index}: {} vertices, ", 5 - index);
+        assert!(run.errors.contains(&told), "{run:?}");
+        let obj = text(&out.join(format!("polygon-{index}.obj")));
+        assert!(obj.contains(&format!("\no polygon_{index}\n")), "{obj}");
+        let index = index.to_string();
+        let mesh = out.join(format!("polygon-{index}.obj"));
+        let words = ["verify".as_ref(), mesh.as_os_str(), file.as_os_str()];
+        let feature = ["--feature".as_ref(), index.as_ref()];
+        assert_eq!(mindeg([&words[..], &feature[..]].concat()).code, Some(0));
+    }
+}
+
 /// What edges of a size cut off is no fault of the outline, which a repair would mend.
 #[test]
 fn edges_of_a_size_that_cross_are_told_with_what_helps() {
