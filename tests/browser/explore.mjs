@@ -1331,7 +1331,7 @@ test("lines, points and regions of a map are drawn with their names", async () =
   assert.deepEqual(await names(), [undefined, undefined]);
   assert.ok(await choice.isHidden());
   await openMap(page);
-  assert.match(await facts(page), /^24 boundary vertices/);
+  assert.match(await facts(page), /^31 vertices/);
   assert.ok((await facts(page)).includes(" · 2 lines · 2 regions · "));
   const nameless = { ...MAP, name: "a map of two", lines: MAP.lines.map(({ name: _, ...line }) => line) };
   await page.locator("#file").setInputFiles({ name: "two.json", mimeType: "application/json", buffer: Buffer.from(JSON.stringify(nameless)) });

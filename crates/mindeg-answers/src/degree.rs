@@ -246,7 +246,6 @@ impl DegreeReport {
         let (rings, faces) = (domain.rings(), domain.faces());
         let beside = faces.iter().flat_map(|faces| faces.beside.iter().flatten());
         let at_holes = beside.flatten().filter(|face| domain.is_hole(**face)).count() as u32;
-        let regions = domain.region_count();
         let vertices = points_of(domain);
         let interior_edges = (3 * triangles - rings.vertex_count() - at_holes) / 2;
         // Edges on the boundary have one triangle.
@@ -259,8 +258,8 @@ impl DegreeReport {
         });
         Self {
             intervals: rings.sides().map(u64::from).collect(),
-            holes: rings.ring_count() - 1 + faces.map_or(0, |faces| faces.count - regions),
-            regions: Some(regions).filter(|_| faces.is_some() || joined.is_none()),
+            holes: domain.hole_count(),
+            regions: Some(domain.region_count()).filter(|_| faces.is_some() || joined.is_none()),
             vertices,
             joined_vertices: joined.map(|[vertices, _]| vertices),
             triangles,

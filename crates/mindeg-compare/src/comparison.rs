@@ -271,7 +271,7 @@ pub fn compare(domain: &Domain, options: &CompareOptions) -> Result<Comparison, 
         side_names: domain.sides().iter().map(|side| side.name.clone()).collect(),
         corners: domain.placement().corners().iter().map(DVec2::to_array).collect(),
         vertices: meshed.mesh.vertex_count(),
-        holes: regions::holes(domain),
+        holes: domain.hole_count() as u32,
         regions: regions::regions(domain),
         triangles: triangle_count,
         // An edge on the boundary is of one triangle, any other of two.

@@ -11,12 +11,6 @@ pub(crate) fn regions(domain: &Domain) -> Option<u32> {
     domain.is_map().then(|| domain.region_count() as u32)
 }
 
-/// The number of holes: rings, and regions that are holes.
-pub(crate) fn holes(domain: &Domain) -> u32 {
-    let holes = domain.faces().map_or(0, |faces| faces.count - domain.region_count());
-    domain.rings().ring_count() as u32 - 1 + holes as u32
-}
-
 /// The border of each region of a map that is no hole, on the boundary of its domain.
 pub(crate) fn borders(domain: &Domain, boundary: &PlanarBoundary) -> Vec<Border> {
     let Some(faces) = domain.faces() else {

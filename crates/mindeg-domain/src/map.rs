@@ -79,6 +79,12 @@ impl Domain {
         self.faces().map_or(1, |faces| (0..faces.count as u32).filter(is_open).count())
     }
 
+    /// How many holes there are: rings, and regions that are holes.
+    pub fn hole_count(&self) -> usize {
+        let regions = self.faces().map_or(0, |faces| faces.count - self.region_count());
+        self.rings().ring_count() - 1 + regions
+    }
+
     /// The boundary around the regions that are not holes, if one is. O(n log n).
     pub fn border(&self) -> Option<Border> {
         let has_holes = self.inside.regions.iter().any(|region| region.hole);

@@ -15,12 +15,11 @@ export const NAMES = { wanted: "Without points inside", least: "Least degree", d
 const wantedDegree = () => state.goal.max_degree ?? shown.wantedDegree;
 
 export function showDomain(domain) {
-  const { name, vertices, triangles, rings, lines, region_count: regions } = domain;
-  const holes = rings.length - 2;
+  const { name, vertices, holes, triangles, lines, region_count: regions } = domain;
   // A surface that stands before it keeps its own.
   if (document.body.classList.contains("solid")) return;
   element("title").textContent = name ?? "A domain";
-  const counted = [`${vertices} boundary vertices`, `${several(triangles, "triangle")} without points inside`];
+  const counted = [`${vertices} ${regions ? "" : "boundary "}vertices`, `${several(triangles, "triangle")} without points inside`];
   if (holes) counted.splice(1, 0, holes === 1 ? "1 hole" : `${holes} holes`);
   if (lines.length) counted.splice(-1, 0, several(lines.length, "line"));
   if (regions) counted.splice(-1, 0, several(regions, "region"));

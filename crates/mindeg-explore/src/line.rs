@@ -56,8 +56,10 @@ pub enum AnswerLine {
 pub struct DomainShown {
     /// Its name.
     pub name: Option<String>,
-    /// The number of boundary vertices.
-    pub vertices: u32,
+    /// The number of vertices of every mesh of its boundary and of what is inside.
+    pub vertices: usize,
+    /// The number of holes.
+    pub holes: usize,
     /// The number of triangles of every mesh of its boundary points alone.
     pub triangles: u32,
     /// Whether it is convex and without holes.

@@ -33,7 +33,8 @@ pub(crate) fn domain(domain: &Domain) -> DomainShown {
     };
     DomainShown {
         name: domain.name().map(str::to_owned),
-        vertices: rings.vertex_count(),
+        vertices: rings.vertex_count() as usize + domain.inner_points().len(),
+        holes: domain.hole_count(),
         triangles: triangle_count(domain),
         is_convex: domain.convex().is_some(),
         center: center.to_array(),
@@ -158,7 +159,7 @@ impl Figure {
                 let (figure, report) = (Self::listed(domain, &found.mesh), &found.report);
                 let mut words = format!(
                     "{} boundary and {} interior vertices, {}, {}. {}",
-                    domain.rings().vertex_count(),
+                    found.mesh.positions().len() - report.interior_points,
                     report.interior_points,
                     triangles(report.triangles as u64),
                     angles_and_degrees(report),
@@ -361,6 +362,22 @@ mod tests {
         assert_eq!(shown.lines.len(), 2);
         let plain = super::domain(&plate("[]").0);
         assert!(plain.lines.is_empty() && plain.regions.is_empty() && plain.region_count == 0);
+    }
+
+    /// Of two holes that touch, one is a line around a region. Its vertices were left out in some rows.
+    #[test]
+    fn vertices_and_holes_are_those_of_the_mesh() {
+        let touching = r#"{"rectangle": {"width": 10, "height": 10}, "size": 10,
+            "holes": [{"ring": [[5, 5], [5, 8], [8, 8], [8, 5]]}],
+            "lines": [{"closed": true, "corners": [[2, 2], [2, 5], [5, 5], [5, 2]]}],
+            "regions": [{"at": [3, 3], "hole": true}]}"#;
+        let domain = Domain::from_json(touching).unwrap();
+        let shown = super::domain(&domain);
+        assert_eq!((shown.vertices, shown.holes), (11, 2));
+        let none = mindeg::Progress::NONE;
+        let found = mindeg::interior::mesh(&domain, &mindeg::Interior::default(), none).unwrap();
+        let figure = Figure::made(&domain, &Made::Interior(Box::new(found)));
+        assert!(figure.words.starts_with("11 boundary and "), "{}", figure.words);
     }
 
     #[test]

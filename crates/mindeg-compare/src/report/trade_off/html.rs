@@ -8,7 +8,7 @@ use super::super::svg::{self, CURVE_STYLE, DegreeColor, Marks};
 use super::super::tables::Table;
 use super::super::viewer::{STYLE, ZOOM_SCRIPT};
 use super::spread;
-use crate::regions::{holes, regions};
+use crate::regions::regions;
 use askama::Template;
 use glam::DVec2;
 use mindeg::Bounds;
@@ -167,7 +167,7 @@ pub fn write_trade_off_html(
         style: svg::page_style(&[STYLE, CURVE_STYLE, MESHES_STYLE]),
         facts: facts(
             &intervals,
-            holes(domain),
+            domain.hole_count() as u32,
             regions(domain),
             [meshes[0].mesh.vertex_count(), meshes[0].mesh.triangle_count()],
             meshes[0].max_degree,
