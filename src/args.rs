@@ -80,8 +80,8 @@ Examples:
   mindeg compare assets/domains/wing-panel.json -o wing-panel.html
   mindeg inspect plate.obj";
 
-/// Mesh any polygon or model of planar faces from its boundary points, with the least possible maximum
-/// degree; add points inside on request.
+/// Mesh polygons, maps, models and surfaces whose boundary must stay: for a solver with points inside
+/// and large angles, for a patch from its own points with few edges at a vertex; limits are proven.
 #[derive(Debug, Parser)]
 #[command(name = "mindeg", version, max_term_width = 100)]
 #[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{EXIT_CODES}"))]

@@ -1,9 +1,10 @@
-//! `mindeg` meshes polygons, maps and models of planar faces from their boundary points, with few edges at every vertex
-//! and a proof of how few are possible. It adds points inside on request, and reads and writes the files of other programs.
+//! `mindeg` meshes polygons, maps, models and surfaces whose boundary must stay: for a solver with points inside and large
+//! angles, for a patch from its own points with few edges at a vertex. It proves how good such meshes can be, and reads and
+//! writes the files of other programs.
 //!
 //! ```sh
 //! cargo install mindeg-cli
-//! mindeg mesh --rectangle 4x3 --size 0.5 -o plate.obj -o plate.svg
+//! mindeg mesh --rectangle 4x3 --size 0.5 --interior -o plate.obj -o plate.svg
 //! ```
 //!
 //! Raw arguments, then a validated job, then a run. Paths, standard streams and exit codes live in this crate; everything

@@ -25,11 +25,11 @@ Examples:
 
 /// Mesh a domain, a map or a model and write it to files
 ///
-/// For a solver take --interior; for a patch that must keep its points, --keep-angle 95%. By default the mesh has no
-/// points inside, the least possible maximum degree and, where half a second finds it, the largest minimum angle of
-/// all such meshes; elsewhere the best of at most 64, and the summary says so. Vertices are numbered counter-clockwise
-/// from the first corner. A mesh that misses a demand is not written. Each file appears whole or not at all; a .gltf is
-/// two: do not write it twice at a time.
+/// For a solver take --interior: angles get larger; for a patch that must keep its points, --keep-angle 95%.
+/// By default it has no points inside, the least possible maximum degree and, where half a second finds it, the
+/// largest minimum angle of all such meshes; elsewhere the best of at most 64, as the summary says. Vertices are
+/// numbered counter-clockwise from the first corner. A mesh that misses a demand is not written. Each file appears whole
+/// or not at all; a .gltf is two, one after another.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES, after_long_help = with_exit_codes(EXAMPLES))]
 pub(crate) struct MeshArguments {

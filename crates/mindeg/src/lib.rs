@@ -1,7 +1,8 @@
 //! Triangle meshes of domains, models and surfaces whose boundary stays as it is, with proven degrees and angles.
 //!
-//! A [`Domain`] and a [`Goal`] go in, a mesh of its boundary points comes out: of the least maximum degree, or with the
-//! largest minimum angle under a degree limit.
+//! For a solver, take [`interior::mesh`]: points inside bring large angles. For a patch that must keep its points, a [`Domain`]
+//! and a [`Goal`] go in, and a mesh of its boundary points comes out: with the largest minimum angle under a degree limit, or of
+//! the least maximum degree, which alone makes no good mesh.
 //!
 //! ```
 //! use mindeg::{Domain, Goal, Progress, mesh};
