@@ -83,9 +83,11 @@ fn what_cannot_be_improved_is_refused() {
         assert_eq!(content(folder.path()), ["before.obj"]);
     };
     let bent = "v 0 0 0\nv 1 0 0\nv 1 1 0.2\nv 0 1 0\nf 1 2 3\nf 1 3 4\n";
-    refuses(bent, &[], &["the mesh is not planar: vertex "]);
+    refuses(bent, &[], &["the mesh is not planar: vertex ", "mindeg remesh takes"]);
+    let solid = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    refuses(solid, &[], &["the mesh is not planar but a surface in space: mindeg remesh"]);
     let both = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 4 3\n";
-    refuses(both, &[], &["the mesh is not planar, or parts of it are turned over"]);
+    refuses(both, &[], &["parts of the mesh are turned over"]);
     let bow = "v 0 0 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nv -1 -1 0\nf 1 2 3\nf 1 4 5\n";
     refuses(bow, &[], &["the mesh cannot be improved"]);
     refuses(&grid(3, 0.1), &["--target-angle", "59"], &["a minimum angle of 59° is impossible"]);

@@ -146,12 +146,15 @@ fn merged(mesh: &TriMesh) -> (Vec<u32>, Vec<DVec3>) {
 
 /// The plane of a mesh.
 fn plane(mesh: &TriMesh, positions: &[DVec3], triangles: &[[u32; 3]]) -> Result<Plane, MeshError> {
-    let (mut normal, mut total) = (DVec3::ZERO, 0.0);
+    let (mut normal, mut total, mut largest) = (DVec3::ZERO, 0.0, (DVec3::ZERO, DVec3::ZERO));
     for t in triangles {
         let [a, b, c] = t.map(|v| positions[v as usize]);
         let doubled = (b - a).cross(c - a);
         normal += doubled;
         total += doubled.length();
+        if doubled.length() > largest.1.length() {
+            largest = (a, doubled);
+        }
     }
     let used = || triangles.iter().flatten().map(|v| (*v, positions[*v as usize]));
     let none = Bounds { min: DVec3::ZERO, max: DVec3::ZERO };
@@ -165,11 +168,18 @@ fn plane(mesh: &TriMesh, positions: &[DVec3], triangles: &[[u32; 3]]) -> Result<
         [false, false, true] => DVec3::new(0.0, 0.0, normal.z),
         _ => normal,
     };
+    let tolerance = (FLAT * (high - low).max_element()).max(4.0 * mesh.rounding());
     if normal.length() < 0.5 * total || normal == DVec3::ZERO || !normal.is_finite() {
-        return Err(MeshError::refused(
-            "the mesh is not planar, or parts of it are turned over: its triangles face opposite ways or \
-             have no area; give a flat mesh whose triangles face one way; remesh takes surfaces in space",
-        ));
+        let (at, across) = largest;
+        let is_off = |at: DVec3, plane: Plane| plane.distance(at) > tolerance;
+        let is_in_space = across != DVec3::ZERO
+            && across.is_finite()
+            && used().any(|(_, vertex)| is_off(vertex, Plane::new(at, across)));
+        return Err(MeshError::refused(if is_in_space {
+            "the mesh is not planar but a surface in space: mindeg remesh meshes that anew"
+        } else {
+            "parts of the mesh are turned over, or it has no area: give a flat mesh whose triangles face one way"
+        }));
     }
     let plane = Plane::new(low.midpoint(high), normal);
     // The middle of the box need not be on a tilted plane: a vertex is.
@@ -177,14 +187,13 @@ fn plane(mesh: &TriMesh, positions: &[DVec3], triangles: &[[u32; 3]]) -> Result<
         true => plane,
         false => Plane::new(used().next().map_or(low, |(_, at)| at), normal),
     };
-    let tolerance = (FLAT * (high - low).max_element()).max(4.0 * mesh.rounding());
     let farthest = used()
         .map(|(vertex, at)| (plane.distance(at), vertex))
         .max_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
     match farthest {
         Some((distance, vertex)) if distance > tolerance => Err(MeshError::Refused(format!(
             "the mesh is not planar: vertex {vertex} (counted from 0) is {} off the plane of the \
-             others; the tolerance is {}",
+             others; the tolerance is {}; mindeg remesh takes surfaces in space",
             number(distance),
             number(tolerance)
         ))),
