@@ -667,7 +667,7 @@ test("the meshes of a trade-off are zoomed together, by buttons, wheel, keys and
   assert.ok((await boxes())[1] > moved[1]);
   await opened.keyboard.press("0");
   assert.deepEqual(await boxes(), whole);
-  assert.equal(await opened.locator(".copy:visible").count(), 5);
+  assert.equal(await opened.locator(".copy:visible").count(), 6);
   await opened.context().close();
 });
 

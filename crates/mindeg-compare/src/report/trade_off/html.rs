@@ -42,8 +42,8 @@ struct Page<'a> {
     facts: String,
     headline: &'a str,
     sentences: &'a [String],
-    /// The command of the mesh that the last sentence names, if it is none of the figures.
-    command: Option<String>,
+    /// What points on edges bring, and its command: below the pictures, which it would push out of a small screen.
+    on_edges: Option<[String; 2]>,
     curve: String,
     chosen: String,
     legend: Vec<DegreeColor>,
@@ -132,7 +132,7 @@ pub fn write_trade_off_html(
     let verdict = verdict(trade_off, advice, told);
     let [headline, sentences @ ..] = &verdict[..] else { return Ok(()) };
     let on_edges = advice.on_edges(&advice.purposes(told));
-    let command = on_edges.map(|_| made_by.mesh.conditioned());
+    let on_edges = on_edges.map(|sentence| [sentence, made_by.mesh.conditioned()]);
     let mut figures: Vec<Figure> = shown.iter().map(figure).collect::<io::Result<_>>()?;
     if let (Some(mesh), Some(found)) = (inside, advice.solver) {
         figures.insert(
@@ -175,7 +175,7 @@ pub fn write_trade_off_html(
         ),
         headline,
         sentences,
-        command,
+        on_edges,
         curve: curve_picture(trade_off, WIDE_CURVE, "wide", marks, is_shown)?
             + &curve_picture(trade_off, SMALL_CURVE, "narrow", marks, is_shown)?,
         chosen,
@@ -223,7 +223,6 @@ fn verdict(trade_off: &TradeOff, advice: &Advice, told: Option<Purpose>) -> Vec<
     } else if meshes.len() > 1 {
         sentences.push(format!("Degree {most} has Delaunay's {delaunay} in full."));
     }
-    sentences.extend(advice.on_edges(&purposes));
     sentences
 }
 
