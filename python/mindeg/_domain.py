@@ -31,7 +31,7 @@ class Domain(_mindeg._Domain):
     - a dict or a JSON text, as ``docs/domains.md`` describes them.
 
     Points of arrays, polygons and files are the boundary points and come back bit for bit, unless ``size``
-    gives the length of the intervals instead. A side ends where its file begins another or where the
+    gives the length of the intervals instead, and ``size_of`` that on sides and lines of a name: ``{"river": 200}``. A side ends where its file begins another or where the
     boundary turns by more than ``corner_angle`` degrees, 30 unless given; without these options, a ring of an
     array or a polygon is one side.
 
@@ -314,13 +314,14 @@ def _ring(points, key):
 
 
 #: How the polygons of a source are read, where nothing else is asked for.
-_READING = {
+_READING: dict[str, Any] = {
     "called": "the outline",
     "layer": None,
     "name_by": None,
     "sea_in": None,
     "corner_angle": 30.0,
     "size": None,
+    "size_of": {},
     "feature": None,
     "repair": False,
     "snap": None,
@@ -339,6 +340,10 @@ def _read_as(key, given):
     """An option of a reader as the library takes it; a fault names its key."""
     if key in ("size", "snap", "corner_angle"):
         return number(given, key)
+    if key == "size_of":
+        if not isinstance(given, Mapping):
+            raise TypeError(f"{key} is {given!r}; give a dict of names and sizes")
+        return {str(name): number(size, f"{key}[{name!r}]") for name, size in given.items()}
     if key == "feature":
         return str(given)
     if key == "sea_in":

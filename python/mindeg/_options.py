@@ -54,6 +54,7 @@ class ReadingOptions(TypedDict, total=False):
     """How points, polygons and files become a domain; ``mindeg.Domain`` explains each."""
 
     size: float | None
+    size_of: Mapping[str, float] | None
     corner_angle: float | None
     feature: str | int | None
     layer: str | None

@@ -217,6 +217,19 @@ def test_a_geodataframe_is_a_map_of_regions_named_by_a_column():
     assert sorted(map(tuple, border)) == [(2, 0), (2, 0.5), (2, 1), (2, 1.5), (2, 2)]
 
 
+def test_sides_of_a_name_have_a_size_of_their_own():
+    plots = frame().iloc[:2]
+    domain = mindeg.Domain(plots, name_by="use", size=0.5, size_of={"wheat | rye": 0.25})
+    assert len(np.unique(domain.mesh(interior=True).lines["wheat | rye"])) == 9
+    for given, error, words in [
+        ({"oats": 1}, ValueError, 'no side or line is called "oats"; there are '),
+        ({"oats": -1}, ValueError, "size_of"),
+        (0.25, TypeError, "give a dict of names and sizes"),
+    ]:
+        with pytest.raises(error, match=words):
+            mindeg.Domain(plots, name_by="use", size_of=given)
+
+
 def test_a_list_of_polygons_is_a_map_of_regions():
     polygons = list(frame().geometry[:2])
     features = [{"type": "Feature", "properties": {"name": name}, "geometry": one.__geo_interface__} for name, one in zip("ab", polygons)]

@@ -1,5 +1,6 @@
 //! Domains, and meshes of domains, maps and models, from files: JSON, or what other programs drew.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use mindeg::Triangles as _;
@@ -37,6 +38,7 @@ pub(crate) struct Given {
     sea_in: Option<[f64; 4]>,
     corner_angle: f64,
     size: Option<f64>,
+    size_of: BTreeMap<String, f64>,
     feature: Option<String>,
     repair: bool,
     snap: Option<f64>,
@@ -55,7 +57,10 @@ impl Given {
     fn options(&self) -> PyResult<ReadOptions> {
         let Self { corner_angle, size, repair, snap, .. } = *self;
         let wrong = |problem: String| Err(value_error(problem));
-        for (key, length) in [("size", size), ("snap", snap)] {
+        let of_names =
+            self.size_of.iter().map(|(name, size)| (format!("size_of[{name:?}]"), Some(*size)));
+        let lengths = [("size".to_owned(), size), ("snap".to_owned(), snap)];
+        for (key, length) in of_names.chain(lengths) {
             if let Some(length) = length.filter(|length| !(length.is_finite() && *length > 0.0)) {
                 return wrong(format!("{key} is {length}; give a length above 0"));
             }
@@ -83,7 +88,7 @@ impl Given {
             fill_rule,
             parts_holes: None,
             sea_in: self.sea_in.map(|[x, y, right, top]| [[x, y].into(), [right, top].into()]),
-            division: Division { corner_angle, size, ..Division::default() },
+            division: Division { corner_angle, size, sizes: self.size_of.clone() },
         })
     }
 
@@ -92,6 +97,7 @@ impl Given {
         let texts = [&self.layer, &self.name_by, &self.feature, &self.project];
         self.repair
             || self.size.is_some()
+            || !self.size_of.is_empty()
             || self.sea_in.is_some()
             || texts.into_iter().any(Option::is_some)
     }
@@ -299,7 +305,7 @@ fn refuse_points(points: &[InnerPoint]) -> PyResult<()> {
 /// Why an option has no meaning for a domain in JSON.
 fn for_outlines(input: &Input<'_>) -> String {
     format!(
-        "{}: size, feature, layer, name_by, sea_in and repair are for outlines such as GeoJSON or SVG; this is a domain in \
+        "{}: size, size_of, feature, layer, name_by, sea_in and repair are for outlines such as GeoJSON or SVG; this is a domain in \
          JSON",
         input.name()
     )
