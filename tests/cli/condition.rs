@@ -41,7 +41,9 @@ fn nothing_moves_without_a_distance_and_nothing_farther_with_one() {
     let still = mindeg_reading(["condition", "-", "--json"], WEDGE).json();
     assert_eq!((&still["moved"], &still["is_reached"]), (&json!(0.0), &json!(false)));
     assert_eq!(still["left"][0]["at"], json!([0.0, 0.0]));
-    assert_eq!(still["left"][0]["reason"], "the corner is sharper: allow a larger distance");
+    let reason =
+        "the corner is sharper: give a larger --within, or drop a small island by --least-island";
+    assert_eq!(still["left"][0]["reason"], reason);
     // No point more lifts the limit of the tip, which draws none near it.
     assert!(still["points"].as_u64() < Some(60), "{still}");
     let moved = ["condition", "-", "--within", "0.5", "--json"];
@@ -56,7 +58,7 @@ fn nothing_moves_without_a_distance_and_nothing_farther_with_one() {
     assert!(moved["angle_limit"].as_f64().expect("an angle") >= 25.0);
     let kept = ["condition", "-", "--within", "0.5", "--keep", "side 1", "--json"];
     let kept = mindeg_reading(kept, WEDGE).json();
-    assert_eq!(kept["left"][0]["reason"], "its points are to stay: keep fewer");
+    assert_eq!(kept["left"][0]["reason"], "its points are to stay: --keep fewer");
 }
 
 #[test]

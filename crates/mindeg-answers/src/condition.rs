@@ -169,14 +169,16 @@ impl ConditionAnswer {
         };
         let left = |left: &mindeg::interior::Left| {
             let reason = match left.reason {
-                Reason::Sharp => "the corner is sharper: allow a larger distance",
+                Reason::Sharp => {
+                    "the corner is sharper: give a larger --within, or drop a small island by --least-island"
+                }
                 Reason::Meeting => {
                     "lines meet there so sharply, or so many, and their place stays: move them in the file"
                 }
-                Reason::Kept => "its points are to stay: keep fewer",
-                Reason::Short => "its edges would get too short: allow a larger distance",
+                Reason::Kept => "its points are to stay: --keep fewer",
+                Reason::Short => "its edges would get too short: give a larger --within",
                 Reason::Narrow => {
-                    "an inlet or strait one edge wide: allow a larger distance, or close it by a least width"
+                    "an inlet or strait one edge wide: give a larger --within, or close it by --narrowest"
                 }
             };
             let at = left.at.to_array();
