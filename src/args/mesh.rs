@@ -26,10 +26,10 @@ Examples:
 /// Mesh a domain, a map or a model and write it to files
 ///
 /// For a solver take --interior: angles get larger; for a patch that must keep its points, --keep-angle 95%.
-/// By default it has no points inside, the least possible maximum degree and, where half a second finds it, the
+/// By default a mesh has no points inside, the least possible maximum degree and, where half a second finds it, the
 /// largest minimum angle of all such meshes; elsewhere the best of at most 64, as the summary says. Vertices are
 /// numbered counter-clockwise from the first corner. A mesh that misses a demand is not written. Each file appears whole
-/// or not at all; a .gltf is two, one after another.
+/// or not at all; a .gltf is two files.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES, after_long_help = with_exit_codes(EXAMPLES))]
 pub(crate) struct MeshArguments {

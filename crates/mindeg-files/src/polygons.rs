@@ -91,7 +91,7 @@ impl PolygonFile {
         let mut outlines = outlines.map_err(wrong)?;
         if let Some(corners) = options.sea_in {
             let is_projected = options.project.is_some_and(|it| it != ProjectionChoice::None);
-            if is_projected && corners[1].x - corners[0].x >= 360.0 {
+            if is_projected && outlines.is_in_degrees() && corners[1].x - corners[0].x >= 360.0 {
                 return Err(FileError::wrong(
                     "the box of the sea goes all around the globe, and would have a seam: give one narrower than 360 degrees",
                 ));
@@ -214,6 +214,9 @@ impl PolygonFile {
 
     /// Refuses a size of sides and lines whose name there is not.
     fn check_sizes(&self, domains: &[Domain]) -> Result<(), FileError> {
+        if self.division.sizes.is_empty() {
+            return Ok(());
+        }
         let of = |domain: &Domain| -> Vec<String> {
             let sides = (0..domain.rings().side_count()).map(|side| domain.side_name(side));
             let lines = domain.line_sides().map(|(line, side, _)| domain.line_name(line, side));

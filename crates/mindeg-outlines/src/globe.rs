@@ -15,7 +15,7 @@ use mindeg_domain::{GlobeRegion, InnerPoint, Projection};
 
 use super::curve::{PieceCurve, Segment};
 use super::outline::{Border, DrawnInside, DrawnRing, Outlines, Piece};
-use super::text::counted;
+use super::text::{counted, shown};
 use crate::error::OutlineError;
 use box_sides::{BoxSides, NEAR, turned};
 use touching::node_touching;
@@ -155,8 +155,7 @@ impl Outlines {
         if let ProjectionChoice::Given(_) = choice
             && scales.iter().any(|scale| !(LEAST_SCALE..=MOST_SCALE).contains(scale))
         {
-            let place =
-                starts().next().map_or_else(String::new, |at| format!(" ({}, {})", at.x, at.y));
+            let place = starts().next().map_or_else(String::new, |at| format!(" {}", shown(at)));
             return Err(wrong(format!(
                 "{} is not for a region here{place}: it makes lengths less than half of those on the ground, or more \
                  than twice; choose another one, or auto, which finds one",
@@ -212,13 +211,13 @@ fn expect_degrees(at: DVec2) -> Result<(), String> {
     }
     if at.x.abs() <= 90.0 && at.y.abs() <= 180.0 {
         return Err(format!(
-            "({}, {}) is no longitude and latitude in degrees, but the other way round it would be: GeoJSON has the longitude first",
-            at.x, at.y
+            "{} is no longitude and latitude in degrees, but the other way round it would be: GeoJSON has the longitude first",
+            shown(at)
         ));
     }
     Err(format!(
-        "({}, {}) is no longitude and latitude in degrees: the file seems to be projected already; leave out --project",
-        at.x, at.y
+        "{} is no longitude and latitude in degrees: the file seems to be projected already; leave out --project",
+        shown(at)
     ))
 }
 
@@ -341,9 +340,8 @@ impl Projecting {
             return Ok(place);
         }
         let problem = format!(
-            "({}, {}) has no place in {}: it is too far from the middle; choose another projection",
-            degrees.x,
-            degrees.y,
+            "{} has no place in {}: it is too far from the middle; choose another projection",
+            shown(degrees),
             self.projection.name()
         );
         Err(OutlineError::place("", problem))
