@@ -2,6 +2,7 @@
 //!
 //! RFC 7946 asks for the cut. In a plane of metres there is none, and its edges would be a border inside the polygon.
 
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 
 use super::{NEAR, TURN, is_across, is_on, told};
@@ -53,7 +54,11 @@ fn joined(parts: &[Feature]) -> Option<Vec<Feature>> {
     let mut runs: Vec<Run> = Vec::new();
     for (part, feature) in parts.iter().enumerate() {
         for (ring, drawn) in feature.rings.iter().enumerate() {
-            runs.extend(runs_of([part, ring], drawn));
+            // Rings may run either way round in a file; parts of one polygon go on in each other if all have it on their left.
+            let runs_left = (drawn.doubled_area() > 0.0) == (ring == 0);
+            let drawn =
+                if runs_left { Cow::Borrowed(drawn) } else { Cow::Owned(turned_round(drawn)) };
+            runs.extend(runs_of([part, ring], &drawn));
         }
     }
     // Each run goes on in the one that starts where it ends, beyond the antimeridian.
@@ -111,9 +116,12 @@ fn joined(parts: &[Feature]) -> Option<Vec<Feature>> {
     Some(features)
 }
 
-/// The runs of a ring that has edges along the antimeridian, and off it; a ring to a pole is left as it is.
+/// The runs of a ring that has edges along the antimeridian, and off it; a ring to a pole, or with curves, is left as it is.
 fn runs_of(of: [usize; 2], ring: &DrawnRing) -> Vec<Run> {
     let pieces = &ring.pieces;
+    if ring.is_curved() || pieces.is_empty() {
+        return Vec::new();
+    }
     let count = pieces.len();
     let start = |at: usize| pieces[at % count].start;
     let is_along = |at: usize| {
@@ -139,6 +147,16 @@ fn runs_of(of: [usize; 2], ring: &DrawnRing) -> Vec<Run> {
         .collect()
 }
 
+/// The ring, the other way round.
+fn turned_round(ring: &DrawnRing) -> DrawnRing {
+    let pieces = &ring.pieces;
+    let piece = |at: usize| {
+        let before = &pieces[(at + pieces.len() - 1) % pieces.len()];
+        Piece { curve: before.curve, side: before.side.clone(), ..pieces[at].clone() }
+    };
+    DrawnRing { pieces: (0..pieces.len()).rev().map(piece).collect() }
+}
+
 /// Twice the area of a ring whose longitudes run on across the antimeridian.
 fn area_running_on(ring: &DrawnRing) -> f64 {
     let mut ring = ring.clone();
@@ -156,8 +174,12 @@ fn area_running_on(ring: &DrawnRing) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use super::super::cut;
     use super::*;
     use crate::{OutlineFormat, read};
+    use glam::DVec2;
+    use proptest::collection::vec;
+    use proptest::prelude::*;
 
     fn joined(coordinates: &str) -> Outlines {
         let text = format!(r#"{{"type": "MultiPolygon", "coordinates": {coordinates}}}"#);
@@ -169,6 +191,40 @@ mod tests {
 
     fn points(ring: &DrawnRing) -> Vec<[f64; 2]> {
         ring.pieces.iter().map(|piece| piece.start.to_array()).collect()
+    }
+
+    proptest! {
+        #[test]
+        fn what_was_cut_is_joined_again(
+            radii in vec(1.0_f64..20.0, 3..24),
+            middle in 162.0_f64..198.0,
+            latitude in -60.0_f64..60.0,
+            has_lake in any::<bool>(),
+        ) {
+            let count = radii.len();
+            let star = |share: f64| {
+                let at = |(index, radius): (usize, &f64)| {
+                    let turn = std::f64::consts::TAU * index as f64 / count as f64;
+                    let off = DVec2::new(libm::cos(turn), libm::sin(turn)) * radius * share;
+                    let x = middle + off.x;
+                    DVec2::new(if x > 180.0 { x - TURN } else { x }, latitude + off.y)
+                };
+                DrawnRing::of_points(radii.iter().enumerate().map(at))
+            };
+            let rings = if has_lake { vec![star(1.0), star(0.5)] } else { vec![star(1.0)] };
+            let whole = Feature { rings, ..Feature::default() };
+            let area = |feature: &Feature| -> f64 {
+                let areas = feature.rings.iter().map(|ring| area_running_on(ring).abs());
+                let areas: Vec<f64> = areas.collect();
+                2.0 * areas[0] - areas.iter().sum::<f64>()
+            };
+            let Some(parts) = cut(&whole).unwrap() else { return Ok(()) };
+            let found = super::joined(&parts).expect("all edges match");
+            prop_assert_eq!(found.len(), 1);
+            prop_assert_eq!(found[0].rings.len(), whole.rings.len());
+            let (found, expected) = (area(&found[0]), area(&whole));
+            prop_assert!((found - expected).abs() < 1e-6 * expected, "{} {}", found, expected);
+        }
     }
 
     #[test]
