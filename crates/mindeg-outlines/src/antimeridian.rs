@@ -49,26 +49,40 @@ impl Outlines {
             return Ok(());
         }
         let (mut count, mut names) = (0, BTreeSet::new());
-        let mut features = std::mem::take(&mut self.features).into_iter();
-        let mut start = 0;
-        for shape in &mut self.shapes {
-            for feature in features.by_ref().take(shape.end - start) {
+        self.each_shape(|features| {
+            let mut all = Vec::with_capacity(features.len());
+            for feature in features {
                 match cut(&feature)? {
-                    None => self.features.push(feature),
+                    None => all.push(feature),
                     Some(parts) => {
                         count += 1;
                         names.extend(feature.name);
-                        self.features.extend(parts);
+                        all.extend(parts);
                     }
                 }
             }
-            start = std::mem::replace(&mut shape.end, self.features.len());
-        }
+            Ok::<_, OutlineError>(all)
+        })?;
         let lines = std::mem::take(&mut self.inside.lines);
         self.inside.lines = lines.into_iter().flat_map(parts_of).collect();
         if count > 0 {
             self.notes.push(format!("cut {} along 180° of longitude", told(count, names)));
         }
+        Ok(())
+    }
+
+    /// Puts other polygons in place of those of each shape.
+    fn each_shape<E>(
+        &mut self,
+        mut change: impl FnMut(Vec<Feature>) -> Result<Vec<Feature>, E>,
+    ) -> Result<(), E> {
+        let mut features = std::mem::take(&mut self.features).into_iter();
+        let mut start = 0;
+        for shape in &mut self.shapes {
+            self.features.extend(change(features.by_ref().take(shape.end - start).collect())?);
+            start = std::mem::replace(&mut shape.end, self.features.len());
+        }
+        self.features.extend(features);
         Ok(())
     }
 }
@@ -227,26 +241,30 @@ pub(super) fn running_on(feature: &Feature) -> Result<Cow<'_, [DrawnRing]>, Outl
     if !crosses(feature) {
         return Ok(Cow::Borrowed(&feature.rings));
     }
-    let ring = |ring: &DrawnRing| {
-        let mut ring = ring.clone();
-        let first = ring.pieces.first()?.start;
-        let (mut last, mut turns) = (first, 0.0);
-        let mut turn = |to: DVec2| {
-            if is_across(last, to) {
-                turns += TURN.copysign(last.x - to.x);
-            }
-            last = to;
-            turns
-        };
-        for piece in &mut ring.pieces {
-            piece.start.x += turn(piece.start);
-        }
-        (turn(first) == 0.0).then_some(ring)
-    };
+    let ring = |ring: &DrawnRing| ring_running_on(ring).filter(|it| it.1).map(|it| it.0);
     if let Some(rings) = feature.rings.iter().map(ring).collect() {
         return Ok(Cow::Owned(rings));
     }
     Ok(cut(feature)?.into_iter().flatten().flat_map(|part| part.rings).collect())
+}
+
+/// A ring whose longitudes run on past 180° where it crosses the antimeridian, and whether it closes so; `None` without points.
+fn ring_running_on(ring: &DrawnRing) -> Option<(DrawnRing, bool)> {
+    let first = ring.pieces.first()?.start;
+    let mut ring = ring.clone();
+    let (mut last, mut turns) = (first, 0.0);
+    let mut turn = |to: DVec2| {
+        if is_across(last, to) {
+            turns += TURN.copysign(last.x - to.x);
+        }
+        last = to;
+        turns
+    };
+    for piece in &mut ring.pieces {
+        piece.start.x += turn(piece.start);
+    }
+    let closes = turn(first) == 0.0;
+    Some((ring, closes))
 }
 
 /// The latitude at which the short way between two points crosses the antimeridian; the same both ways round.

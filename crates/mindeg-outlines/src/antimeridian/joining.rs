@@ -4,8 +4,9 @@
 
 use std::borrow::Cow;
 use std::collections::BTreeSet;
+use std::convert::Infallible;
 
-use super::{NEAR, TURN, is_across, is_on, told};
+use super::{NEAR, is_on, ring_running_on, told};
 use crate::outline::{DrawnRing, Feature, Outlines, Piece};
 
 /// The part of a ring between two edges along the antimeridian.
@@ -28,21 +29,12 @@ impl Outlines {
             return;
         }
         let (mut count, mut names) = (0, BTreeSet::new());
-        let mut features = std::mem::take(&mut self.features).into_iter();
-        let mut start = 0;
-        for shape in &mut self.shapes {
-            let parts: Vec<Feature> = features.by_ref().take(shape.end - start).collect();
-            match joined(&parts) {
-                None => self.features.extend(parts),
-                Some(whole) => {
-                    count += 1;
-                    names.extend(parts.into_iter().find_map(|part| part.name));
-                    self.features.extend(whole);
-                }
-            }
-            start = std::mem::replace(&mut shape.end, self.features.len());
-        }
-        self.features.extend(features);
+        let Ok(()) = self.each_shape(|parts| {
+            let Some(whole) = joined(&parts) else { return Ok::<_, Infallible>(parts) };
+            count += 1;
+            names.extend(parts.into_iter().find_map(|part| part.name));
+            Ok(whole)
+        });
         if count > 0 {
             self.notes.push(format!("joined {} across 180° of longitude", told(count, names)));
         }
@@ -54,11 +46,7 @@ fn joined(parts: &[Feature]) -> Option<Vec<Feature>> {
     let mut runs: Vec<Run> = Vec::new();
     for (part, feature) in parts.iter().enumerate() {
         for (ring, drawn) in feature.rings.iter().enumerate() {
-            // Rings may run either way round in a file; parts of one polygon go on in each other if all have it on their left.
-            let runs_left = (drawn.doubled_area() > 0.0) == (ring == 0);
-            let drawn =
-                if runs_left { Cow::Borrowed(drawn) } else { Cow::Owned(turned_round(drawn)) };
-            runs.extend(runs_of([part, ring], &drawn));
+            runs.extend(runs_of([part, ring], drawn));
         }
     }
     // Each run goes on in the one that starts where it ends, beyond the antimeridian.
@@ -108,73 +96,64 @@ fn joined(parts: &[Feature]) -> Option<Vec<Feature>> {
     features.retain(|feature| !feature.rings.is_empty());
     for feature in &mut features {
         // What was one side of a hole, or of the outer ring, may have become the other.
-        let area = |ring: &DrawnRing| area_running_on(ring).abs();
-        let outer = (0..feature.rings.len())
-            .max_by(|a, b| area(&feature.rings[*a]).total_cmp(&area(&feature.rings[*b])));
+        let areas: Vec<f64> = feature.rings.iter().map(area_running_on).collect();
+        let outer = (0..areas.len()).max_by(|a, b| areas[*a].total_cmp(&areas[*b]));
         feature.rings.swap(0, outer.unwrap_or(0));
     }
     Some(features)
 }
 
-/// The runs of a ring that has edges along the antimeridian, and off it; a ring to a pole, or with curves, is left as it is.
+/// The runs of a ring that has edges along the antimeridian, and off it, each with the polygon on its left; a ring to a pole, or with
+/// curves, is left as it is.
 fn runs_of(of: [usize; 2], ring: &DrawnRing) -> Vec<Run> {
-    let pieces = &ring.pieces;
-    if ring.is_curved() || pieces.is_empty() {
-        return Vec::new();
-    }
-    let count = pieces.len();
-    let start = |at: usize| pieces[at % count].start;
-    let is_along = |at: usize| {
-        let ends = [start(at), start(at + 1)];
+    let count = ring.pieces.len();
+    let start = |ring: &DrawnRing, at: usize| ring.pieces[at % count].start;
+    let is_along = |ring: &DrawnRing, at: usize| {
+        let ends = [start(ring, at), start(ring, at + 1)];
         ends.iter().all(is_on) && (ends[0].x > 0.0) == (ends[1].x > 0.0)
     };
-    let is_at_pole = pieces.iter().any(|piece| piece.start.y.abs() > 90.0 - NEAR);
-    let Some(first) = (0..count).find(|at| is_along(*at) && !is_along((at + 1) % count)) else {
-        return Vec::new();
-    };
-    if is_at_pole {
+    let is_at_pole = |piece: &Piece| piece.start.y.abs() > 90.0 - NEAR;
+    if !(0..count).any(|at| is_along(ring, at))
+        || ring.pieces.iter().any(is_at_pole)
+        || ring.is_curved()
+    {
         return Vec::new();
     }
+    // Rings may run either way round in a file; only with the polygon on the same side do parts of one go on in each other.
+    let is_left = (ring.doubled_area() > 0.0) == (of[1] == 0);
+    let ring = if is_left { Cow::Borrowed(ring) } else { Cow::Owned(turned_round(ring)) };
+    let is_last = |at: &usize| is_along(&ring, *at) && !is_along(&ring, at + 1);
+    let Some(first) = (0..count).find(is_last) else { return Vec::new() };
     let edges: Vec<usize> = (first + 1..=first + count).collect();
-    let runs = edges.chunk_by(|a, b| is_along(*a) == is_along(*b));
-    let end = |at: usize| (start(at).x > 0.0, start(at).y);
-    runs.filter(|run| !is_along(run[0]))
+    let runs = edges.chunk_by(|a, b| is_along(&ring, *a) == is_along(&ring, *b));
+    let end = |at: usize| (start(&ring, at).x > 0.0, start(&ring, at).y);
+    runs.filter(|run| !is_along(&ring, run[0]))
         .map(|run| Run {
             of,
-            pieces: run.iter().map(|at| pieces[at % count].clone()).collect(),
+            pieces: run.iter().map(|at| ring.pieces[at % count].clone()).collect(),
             ends: [end(run[0]), end(run[run.len() - 1] + 1)],
         })
         .collect()
 }
 
-/// The ring, the other way round.
+/// The ring of straight pieces, the other way round.
 fn turned_round(ring: &DrawnRing) -> DrawnRing {
     let pieces = &ring.pieces;
     let piece = |at: usize| {
         let before = &pieces[(at + pieces.len() - 1) % pieces.len()];
-        Piece { curve: before.curve, side: before.side.clone(), ..pieces[at].clone() }
+        Piece { side: before.side.clone(), ..pieces[at].clone() }
     };
     DrawnRing { pieces: (0..pieces.len()).rev().map(piece).collect() }
 }
 
-/// Twice the area of a ring whose longitudes run on across the antimeridian.
+/// Twice the area of a ring whose longitudes run on across the antimeridian, without a sign.
 fn area_running_on(ring: &DrawnRing) -> f64 {
-    let mut ring = ring.clone();
-    let Some(mut last) = ring.pieces.first().map(|piece| piece.start) else { return 0.0 };
-    let mut turns = 0.0;
-    for piece in &mut ring.pieces {
-        if is_across(last, piece.start) {
-            turns += TURN.copysign(last.x - piece.start.x);
-        }
-        last = piece.start;
-        piece.start.x += turns;
-    }
-    ring.doubled_area()
+    ring_running_on(ring).map_or(0.0, |(ring, _)| ring.doubled_area().abs())
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::cut;
+    use super::super::{TURN, cut};
     use super::*;
     use crate::{OutlineFormat, read};
     use glam::DVec2;
@@ -214,8 +193,7 @@ mod tests {
             let rings = if has_lake { vec![star(1.0), star(0.5)] } else { vec![star(1.0)] };
             let whole = Feature { rings, ..Feature::default() };
             let area = |feature: &Feature| -> f64 {
-                let areas = feature.rings.iter().map(|ring| area_running_on(ring).abs());
-                let areas: Vec<f64> = areas.collect();
+                let areas: Vec<f64> = feature.rings.iter().map(area_running_on).collect();
                 2.0 * areas[0] - areas.iter().sum::<f64>()
             };
             let Some(parts) = cut(&whole).unwrap() else { return Ok(()) };
