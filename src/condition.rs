@@ -8,7 +8,7 @@ use crate::interrupt::clean_up_on_interrupt;
 use crate::standard_output::{print, print_json};
 use mindeg::interior::condition_all;
 use mindeg::{Domain, Interior};
-use mindeg_answers::condition::{ConditionAnswer, as_geojson};
+use mindeg_answers::condition::{ConditionAnswer, as_geojson, has_regions};
 use mindeg_answers::names::shown;
 use mindeg_compare::write_changes_svg;
 use mindeg_files::{Wanted, is_standard_output};
@@ -25,8 +25,9 @@ pub(crate) fn run(arguments: &ConditionArguments) -> Result<(), Failure> {
     refuse_degrees(&subject, &arguments.change, size)?;
     let Parts { name: of_all, domains } = subject.parts()?;
     // Each part stays one, so this is known before the work.
-    let as_outlines = arguments.output.as_deref().filter(|path| is_geojson(path));
-    refuse_output(arguments.output.as_deref(), as_outlines.is_some(), &domains)?;
+    if let Some(path) = &arguments.output {
+        refuse_output(path, &domains)?;
+    }
     let preset = arguments.preset;
     let wanted = preset.map(|preset| preset.asked_of(Interior::default())).unwrap_or_default();
     let least = wanted.least_triangles();
@@ -39,13 +40,12 @@ pub(crate) fn run(arguments: &ConditionArguments) -> Result<(), Failure> {
     // The coast changes as without open water, as in `mesh`: names that this gives hold no point.
     let (new, _) = arguments.kinds.told(&new)?;
     let answer = ConditionAnswer::of(&domains, &new, &conditioned);
-    let domain_file = match (&arguments.output, new.first()) {
-        (Some(path), Some(first)) => {
-            let outlines = as_outlines.and_then(|_| as_geojson(&new));
-            Some((outlines.map_or_else(|| first.to_json(), |it| it.to_string()), path.as_path()))
-        }
-        _ => None,
+    let written = |path| {
+        let outlines = if ends_in(path, "geojson") { as_geojson(&new) } else { None };
+        let text = outlines.map_or_else(|| new[0].to_json(), |outlines| outlines.to_string());
+        (text, path)
     };
+    let domain_file = arguments.output.as_deref().map(written);
     let title = match &domains[..] {
         [domain] => name(domain),
         _ => shown(of_all.as_deref().unwrap_or(UNNAMED)),
@@ -62,34 +62,29 @@ pub(crate) fn run(arguments: &ConditionArguments) -> Result<(), Failure> {
 }
 
 /// Refuses a file that does not hold all domains: JSON has one, and GeoJSON no regions between lines.
-fn refuse_output(
-    path: Option<&Path>,
-    as_outlines: bool,
-    domains: &[Domain],
-) -> Result<(), Failure> {
-    let is_one = domains.len() == 1;
-    let Some(path) = path.filter(|_| as_outlines || !is_one) else { return Ok(()) };
-    let has_regions = as_geojson(domains).is_none();
-    let (path, parts) = (path.display(), domains.len());
+fn refuse_output(path: &Path, domains: &[Domain]) -> Result<(), Failure> {
+    let (shown, parts, has_regions) = (path.display(), domains.len(), has_regions(domains));
     let meshed = "mindeg mesh --interior --condition meshes them, and --feature chooses polygons";
-    Err(Failure::Input(match (as_outlines, has_regions) {
-        (true, false) => return Ok(()),
-        (true, true) => {
-            let way = if is_one { "-o DOMAIN.json keeps them" } else { meshed };
-            format!("{path}: GeoJSON would lose the regions that lines divide this map into: {way}")
+    Err(Failure::Input(if ends_in(path, "geojson") {
+        if !has_regions {
+            return Ok(());
         }
-        (false, _) => {
-            let file = if has_regions { "--changes CHANGES.geojson" } else { "-o COAST.geojson" };
-            format!(
-                "{path}: JSON has one domain, and this map has {parts} parts that share no edge, such as islands: {file} has all \
-                 new boundaries, {meshed}"
-            )
+        let way = if parts == 1 { "-o DOMAIN.json keeps them" } else { meshed };
+        format!("{shown}: GeoJSON would lose the regions that lines divide this map into: {way}")
+    } else {
+        if parts == 1 {
+            return Ok(());
         }
+        let file = if has_regions { "--changes CHANGES.geojson" } else { "-o COAST.geojson" };
+        format!(
+            "{shown}: JSON has one domain, and this map has {parts} parts that share no edge, such as islands: {file} has all \
+             new boundaries, {meshed}"
+        )
     }))
 }
 
-fn is_geojson(path: &Path) -> bool {
-    path.extension().is_some_and(|name| name.eq_ignore_ascii_case("geojson"))
+fn ends_in(path: &Path, extension: &str) -> bool {
+    path.extension().is_some_and(|name| name.eq_ignore_ascii_case(extension))
 }
 
 /// The changes as a file shows them: a picture, or GeoJSON.
@@ -99,7 +94,7 @@ pub(crate) fn drawn(
     [old, new]: [&[Domain]; 2],
     path: &Path,
 ) -> Result<String, Failure> {
-    if !path.extension().is_some_and(|name| name.eq_ignore_ascii_case("svg")) {
+    if !ends_in(path, "svg") {
         return Ok(answer.drawn(old, new).to_string());
     }
     let mut picture = Vec::new();

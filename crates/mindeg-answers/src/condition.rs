@@ -3,7 +3,7 @@
 mod geojson;
 mod places;
 
-pub use geojson::as_geojson;
+pub use geojson::{as_geojson, has_regions};
 pub use places::ShortestEdge;
 pub(crate) use places::{place_in_words, placed};
 

@@ -57,6 +57,19 @@ impl Domain {
         side.name.clone().unwrap_or_else(|| line_name(line))
     }
 
+    /// The names of the sides and lines of domains, sorted, each once.
+    pub fn names_of(domains: &[Self]) -> Vec<String> {
+        let of = |domain: &Self| -> Vec<String> {
+            let sides = (0..domain.sides().len()).map(|side| domain.side_name(side));
+            let lines = domain.line_sides().map(|(line, side, _)| domain.line_name(line, side));
+            sides.chain(lines).collect()
+        };
+        let mut names: Vec<String> = domains.iter().flat_map(of).collect();
+        names.sort_unstable();
+        names.dedup();
+        names
+    }
+
     /// The name of the region that is a face: "region 3" if it has none.
     pub fn region_name(&self, face: u32) -> String {
         let given = self.inside.regions.get(face as usize).and_then(|region| region.name.clone());

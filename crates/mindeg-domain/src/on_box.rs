@@ -1,6 +1,7 @@
 //! The edges of outer boundaries on the sides of the box around all.
 
 use glam::DVec2;
+use mindeg_mesh::Bounds;
 
 use crate::domain::Domain;
 
@@ -30,14 +31,7 @@ impl Domain {
             return named;
         }
         let outer = |domain: &Self| -> Vec<DVec2> {
-            domain
-                .rings()
-                .rings()
-                .next()
-                .into_iter()
-                .flatten()
-                .map(|it| domain.placement().point(it))
-                .collect()
+            domain.rings().ring(0).map(|vertex| domain.placement().point(vertex)).collect()
         };
         let places: Vec<_> = domains.iter().map(outer).collect();
         let mut found = on_box(&places, NEAR);
@@ -64,20 +58,12 @@ impl Domain {
     }
 }
 
-/// The least and the greatest corner of the box around points, if there are any.
-pub(crate) fn box_around(points: impl IntoIterator<Item = DVec2>) -> Option<[DVec2; 2]> {
-    let grown = |[low, high]: [DVec2; 2], point: DVec2| [low.min(point), high.max(point)];
-    points.into_iter().map(|point| [point; 2]).reduce(|all, [point, _]| grown(all, point))
-}
-
 /// The edges of each ring that are on a side of the box around all, to a share of its size.
 fn on_box(rings: &[Vec<DVec2>], near: f64) -> Vec<Vec<u32>> {
-    let Some([least, most]) = box_around(rings.iter().flatten().copied()) else {
-        return Vec::new();
-    };
-    let near = (most - least).max_element() * near;
+    let Some(all) = Bounds::of(rings.iter().flatten().copied()) else { return Vec::new() };
+    let near = all.size().max_element() * near;
     let is_on = |[a, b]: [DVec2; 2]| {
-        [least, most].into_iter().any(|corner| {
+        [all.min, all.max].into_iter().any(|corner| {
             let is_near = |point: DVec2| (point - corner).abs().cmple(DVec2::splat(near));
             (is_near(a) & is_near(b)).any()
         })

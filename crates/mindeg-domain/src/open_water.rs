@@ -1,15 +1,14 @@
 //! The open water, the land and the islands of a coastal model, as kinds of sides.
 
-use std::borrow::Cow;
 use std::ops::Range;
 
 use glam::DVec2;
-use mindeg_mesh::{LineKind, number};
+use mindeg_mesh::{Bounds, LineKind, number};
 
 use crate::build::DomainBuilder;
 use crate::domain::Domain;
 use crate::error::{DomainError, Place};
-use crate::on_box::{BOX_SIDES, box_around};
+use crate::on_box::BOX_SIDES;
 use crate::opening::{Asked, Opening, openings};
 use crate::outline::{Outline, Ring};
 use crate::side::{Intervals, Side};
@@ -78,9 +77,10 @@ impl Domain {
         least_length: Option<f64>,
     ) -> Result<(Vec<Self>, Vec<Opening>), DomainError> {
         let bounds = domains.iter().map(|domain| domain.placement().bounds());
-        let corners = bounds.flat_map(|bounds| [bounds.min, bounds.max]);
-        let size = box_around(corners).map_or(0.0, |[least, most]| least.distance(most));
-        let of_box = Self::edges_on_box(domains);
+        let whole = Bounds::of(bounds.flat_map(|bounds| [bounds.min, bounds.max]));
+        let size = whole.map_or(0.0, |whole| whole.size().length());
+        let has_box = parts.contains(&OpenWater::Box);
+        let of_box = if has_box { Self::edges_on_box(domains) } else { Vec::new() };
         let none = |domain: &Self| vec![Asked::default(); domain.rings().vertex_count() as usize];
         let mut asked: Vec<Vec<Asked>> = domains.iter().map(none).collect();
         for part in parts {
@@ -98,15 +98,15 @@ impl Domain {
                     continue;
                 }
                 let edges = match part {
-                    OpenWater::Box => Cow::Borrowed(&of_box[index]),
+                    OpenWater::Box => of_box[index].clone(),
                     OpenWater::Side(name) => {
-                        Cow::Owned(domain.edges_of_sides(|side| domain.side_name(side) == *name))
+                        domain.edges_of_sides(|side| domain.side_name(side) == *name)
                     }
-                    OpenWater::Between(ends) => Cow::Owned(domain.edges_between(ends)),
+                    OpenWater::Between(ends) => domain.edges_between(ends),
                 };
                 is_anywhere |= !edges.is_empty();
-                for edge in edges.iter() {
-                    let edge = &mut asked[*edge as usize];
+                for edge in edges {
+                    let edge = &mut asked[edge as usize];
                     match part {
                         OpenWater::Box => edge.is_of_box = true,
                         OpenWater::Side(_) | OpenWater::Between(_) => edge.by_place = true,
@@ -123,12 +123,12 @@ impl Domain {
             };
             (0..).zip(asked).for_each(|(edge, own)| own.is_given = is_open(edge));
         }
-        let of_box = if parts.contains(&OpenWater::Box) { &BOX_SIDES[..] } else { &[] };
+        let lost = if has_box { &BOX_SIDES[..] } else { &[] };
         let mut found = Vec::new();
         let mut opened = |(domain, mut asked): (&Self, Vec<Asked>)| {
             found.extend(openings(domain, &mut asked, least_length));
             let is_open: Vec<bool> = asked.into_iter().map(Asked::is_open).collect();
-            domain.opened(&is_open, domain.projection.map_or(&[], |_| of_box))
+            domain.opened(&is_open, domain.projection.map_or(&[], |_| lost))
         };
         let new: Result<_, _> = domains.iter().zip(asked).map(&mut opened).collect();
         Ok((new?, found))

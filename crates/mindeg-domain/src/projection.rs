@@ -62,6 +62,12 @@ const UTM_REACH: f64 = 5.0;
 const UTM_LATITUDE: f64 = 84.0;
 
 impl Projection {
+    /// Whether a code of EPSG is that of longitudes and latitudes, which are no plane.
+    #[must_use]
+    pub fn is_of_degrees(code: u32) -> bool {
+        matches!(code, 4326 | 4258 | 4269 | 4979)
+    }
+
     /// The UTM zone of a region, on its hemisphere.
     ///
     /// # Errors
@@ -285,7 +291,7 @@ fn of_epsg(code: &str) -> Result<Projection, String> {
         3413 => polar(90.0, -45.0, 70.0),
         3995 => polar(90.0, 0.0, 71.0),
         3031 => polar(-90.0, 0.0, -71.0),
-        4326 | 4258 | 4269 | 4979 => Err(format!(
+        _ if Projection::is_of_degrees(number) => Err(format!(
             "EPSG:{number} is degrees of longitude and latitude, no plane; give the projection that makes metres of them"
         )),
         ..1024 | 32768.. => Err(format!("EPSG:{number} is no code: they are from 1024 to 32767")),

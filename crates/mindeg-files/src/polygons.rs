@@ -89,8 +89,8 @@ impl PolygonFile {
     ) -> Result<Self, FileError> {
         let wrong = |error: OutlineError| FileError::wrong(error.to_string());
         let mut outlines = outlines.map_err(wrong)?;
+        let is_projected = options.project.is_some_and(|it| it != ProjectionChoice::None);
         if let Some(corners) = options.sea_in {
-            let is_projected = options.project.is_some_and(|it| it != ProjectionChoice::None);
             if is_projected && outlines.is_in_degrees() && corners[1].x - corners[0].x >= 360.0 {
                 return Err(FileError::wrong(
                     "the box of the sea goes all around the globe, and would have a seam: give one narrower than 360 degrees",
@@ -98,7 +98,7 @@ impl PolygonFile {
             }
             outlines = outlines.sea_in(corners).map_err(wrong)?;
         }
-        if options.project.is_some_and(|choice| choice != ProjectionChoice::None) {
+        if is_projected {
             outlines.join_at_antimeridian();
         }
         // The rest of a file of the world may have no place in the plane. Indices count the polygons that a repair makes.
@@ -217,14 +217,7 @@ impl PolygonFile {
         if self.division.sizes.is_empty() {
             return Ok(());
         }
-        let of = |domain: &Domain| -> Vec<String> {
-            let sides = (0..domain.rings().side_count()).map(|side| domain.side_name(side));
-            let lines = domain.line_sides().map(|(line, side, _)| domain.line_name(line, side));
-            sides.chain(lines).collect()
-        };
-        let mut names: Vec<String> = domains.iter().flat_map(of).collect();
-        names.sort_unstable();
-        names.dedup();
+        let names = Domain::names_of(domains);
         match self.division.sizes.keys().find(|name| names.binary_search(name).is_err()) {
             Some(name) => Err(FileError::wrong(format!(
                 "no side or line is called {name:?}; there are {}",

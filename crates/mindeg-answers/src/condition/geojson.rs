@@ -9,7 +9,7 @@ use std::iter::once;
 
 /// Domains as outlines that mindeg reads again: a polygon each under its name, lines and points inside, and a line with `kind`
 /// and `name` for each stretch of sides that are open water, land or island. In degrees if the domains were projected. Names of
-/// sides without a kind are left out; so is what a domain has for a mesh. `None` if lines divide a domain into regions. O(n log n).
+/// sides without a kind are left out; so is what a domain has for a mesh. `None` of those that [have regions](has_regions). O(n log n).
 ///
 /// # Example
 ///
@@ -26,11 +26,11 @@ use std::iter::once;
 /// ```
 #[must_use]
 pub fn as_geojson(domains: &[Domain]) -> Option<Value> {
+    if has_regions(domains) {
+        return None;
+    }
     let mut features = Vec::new();
     for domain in domains {
-        if domain.faces().is_some_and(|faces| faces.count > 1) {
-            return None;
-        }
         // A part of a map has the name of its only region.
         let region = domain.inside().regions.first().and_then(|region| region.name.as_deref());
         let name = region.or(domain.name());
@@ -40,11 +40,16 @@ pub fn as_geojson(domains: &[Domain]) -> Option<Value> {
         let lines = lines(domain).into_iter();
         features.extend(lines.map(|(name, line)| feature(json!({"name": name}), &line)));
         for point in &domain.inside().points {
-            let geometry = json!({"type": "Point", "coordinates": place(domain, point.at)});
-            features.push(feature(json!({"name": point.name}), &geometry));
+            features.push(at_point(place(domain, point.at), json!({"name": point.name})));
         }
     }
     Some(collection(features))
+}
+
+/// Whether lines divide one of some domains into regions, which the outlines of [`as_geojson`] cannot have.
+#[must_use]
+pub fn has_regions(domains: &[Domain]) -> bool {
+    domains.iter().any(|domain| domain.faces().is_some_and(|faces| faces.count > 1))
 }
 
 impl ConditionAnswer {
@@ -53,11 +58,8 @@ impl ConditionAnswer {
     /// was projected.
     #[must_use]
     pub fn drawn(&self, before: &[Domain], after: &[Domain]) -> Value {
-        let point = |at: [f64; 2], properties: Value| {
-            feature(properties, &json!({"type": "Point", "coordinates": at}))
-        };
         let changes = (1..).zip(&self.changes).map(|(number, row): (u32, _)| {
-            point(
+            at_point(
                 row.degrees.unwrap_or(row.at),
                 json!({
                     "kind": row.kind,
@@ -72,11 +74,11 @@ impl ConditionAnswer {
         let left = self.left.iter().map(|row| {
             let properties =
                 json!({"kind": "left", "angle_limit": row.angle_limit, "is_proven": row.is_proven, "reason": row.reason});
-            point(row.degrees.unwrap_or(row.at), properties)
+            at_point(row.degrees.unwrap_or(row.at), properties)
         });
         let narrow = self.narrow.iter().map(|row| {
             let properties = json!({"kind": "narrow", "width": row.width, "reason": row.reason});
-            point(row.degrees.unwrap_or(row.at), properties)
+            at_point(row.degrees.unwrap_or(row.at), properties)
         });
         let drawn = |name: &str, domains: &[Domain]| -> Vec<Value> {
             let of = |domain: &Domain| -> Vec<Value> {
@@ -94,6 +96,10 @@ impl ConditionAnswer {
 
 fn feature(properties: Value, geometry: &Value) -> Value {
     json!({"type": "Feature", "properties": properties, "geometry": geometry})
+}
+
+fn at_point(at: [f64; 2], properties: Value) -> Value {
+    feature(properties, &json!({"type": "Point", "coordinates": at}))
 }
 
 fn collection(features: Vec<Value>) -> Value {

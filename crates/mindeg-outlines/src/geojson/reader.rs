@@ -251,7 +251,7 @@ impl Reader<'_> {
     fn project(&mut self, document: &Value) {
         let name = document.pointer("/crs/properties/name").and_then(Value::as_str);
         let Some(code) = name.and_then(epsg) else { return };
-        if DEGREES.contains(&code) {
+        if Projection::is_of_degrees(code) {
             return;
         }
         if self.is_in_degrees() {
@@ -324,9 +324,6 @@ impl Reader<'_> {
         Ok(self.outlines)
     }
 }
-
-/// The codes of EPSG for longitudes and latitudes.
-const DEGREES: [u32; 4] = [4326, 4258, 4269, 4979];
 
 /// The code of EPSG in a name, such as EPSG:32635 or urn:ogc:def:crs:EPSG::32635.
 fn epsg(name: &str) -> Option<u32> {

@@ -258,12 +258,7 @@ impl<'a> Pieces<'a> {
 
     /// The reason why a name is refused: nothing is called so.
     fn check_names(&self, names: &[String]) -> Result<(), String> {
-        let sides = (0..self.domain.sides().len()).map(|side| self.domain.side_name(side));
-        let lines = self.domain.line_sides();
-        let lines = lines.map(|(line, side, _)| self.domain.line_name(line, side));
-        let mut known: Vec<String> = sides.chain(lines).collect();
-        known.sort_unstable();
-        known.dedup();
+        let known = Domain::names_of(std::slice::from_ref(self.domain));
         let Some(wrong) = names.iter().find(|name| !known.contains(name)) else { return Ok(()) };
         let known = first_names(&known);
         Err(format!("there is no side {wrong:?} to keep; the domain has {known}"))
