@@ -1,7 +1,5 @@
 //! Boundaries before and after.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use glam::DVec2;
 use mindeg_condition::{
     BoundaryDemands, ChangeKind, Conditioned, Hold, Left, Reason, Why, condition, condition_map,

@@ -1,7 +1,5 @@
 //! Narrow water and land.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use glam::DVec2;
 use mindeg_condition::{
     BoundaryDemands, ChangeKind, Conditioned, Hold, NarrowReason, condition, condition_map,
@@ -294,7 +292,7 @@ proptest! {
 #[test]
 fn a_coast_of_a_size_without_narrow_places_stays_as_it_is() {
     let mut changed = 0;
-    for seed in 0..20 {
+    for seed in 0..10 {
         let Ok(boundary) = PlanarBoundary::new(&coast(80, seed)) else { continue };
         let demands = BoundaryDemands { narrowest: 1.2, ..BoundaryDemands::of_size(2.0) };
         let found = condition(&boundary, &demands, |_| Hold::Free).unwrap();
@@ -310,7 +308,7 @@ fn a_coast_of_a_size_without_narrow_places_stays_as_it_is() {
         assert_eq!((&again.changes[..], again.moved), (&[][..], 0.0), "{seed}");
         changed += 1;
     }
-    assert!(changed > 6, "{changed}");
+    assert!(changed > 3, "{changed}");
 }
 
 #[test]

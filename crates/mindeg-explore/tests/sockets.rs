@@ -1,7 +1,5 @@
 //! The server through real sockets: who is let in, and what is bounded.
 
-#![expect(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
-
 use std::io::{ErrorKind, Read, Write};
 use std::net::TcpStream;
 use std::thread;

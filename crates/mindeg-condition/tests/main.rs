@@ -1,0 +1,6 @@
+//! What the crate offers, tested as its users see it. One program: each more takes a link, and a core idles at its end.
+
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod condition;
+mod narrow;
