@@ -6,8 +6,8 @@ use crate::domain::{Parts, Subject, UNNAMED, describe, name, opened};
 use crate::failure::Failure;
 use crate::interrupt::clean_up_on_interrupt;
 use crate::standard_output::{print, print_json};
+use mindeg::Domain;
 use mindeg::interior::condition_all;
-use mindeg::{Domain, Interior};
 use mindeg_answers::condition::{ConditionAnswer, as_geojson, has_regions};
 use mindeg_answers::names::shown;
 use mindeg_compare::write_changes_svg;
@@ -23,17 +23,17 @@ pub(crate) fn run(arguments: &ConditionArguments) -> Result<(), Failure> {
     let subject = opened(&arguments.file, &outline, None, Wanted::Domain, &bar)?;
     let size = arguments.size;
     refuse_degrees(&subject, &arguments.change, size)?;
+    subject.refuse_degrees([("--min-size", arguments.min_size)])?;
     let Parts { name: of_all, domains } = subject.parts()?;
     // Each part stays one, so this is known before the work.
     if let Some(path) = &arguments.output {
         refuse_output(path, &domains)?;
     }
-    let preset = arguments.preset;
-    let wanted = preset.map(|preset| preset.asked_of(Interior::default())).unwrap_or_default();
+    let wanted = arguments.wanted(&domains)?;
     let least = wanted.least_triangles();
     let demands = arguments.change.demands(arguments.limit, size, arguments.growth, least);
     let found = bar.waiting("conditioning the boundary", || {
-        condition_all(&domains, &demands, &arguments.change.keep)
+        condition_all(&domains, &wanted, &demands, &arguments.change.keep)
     });
     let (new, conditioned) = found.map_err(|(_, error)| Failure::input(error))?;
     drop(bar);

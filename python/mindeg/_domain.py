@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 import warnings
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from . import _mindeg
@@ -82,11 +82,16 @@ class Domain(_mindeg._Domain):
         goal, wanted, reading = separated(options)
         for key in reading:
             raise TypeError(f"{key} is for making a domain; give it to Domain, or to mindeg.mesh")
+        return self._mesh(self._wish(interior, preset, goal, wanted))
+
+    def _wish(self, interior: bool | None, preset: str | None, goal: Mapping[str, Any], wanted: Mapping[str, Any]) -> dict[str, Any]:
+        """A wish as the library reads it, with the sizes of functions at this domain's points."""
+        wanted = {name: value for name, value in wanted.items() if value is not None}
         if "sizes" in wanted:
             from ._sizes import given_sizes
 
             wanted["sizes"] = given_sizes(wanted["sizes"], self.points)
-        return self._mesh(wish(interior, preset, goal, wanted))
+        return wish(interior, preset, goal, wanted)
 
     @shows_its_options()
     def condition(
@@ -99,15 +104,22 @@ class Domain(_mindeg._Domain):
         least_island: float | None = None,
         narrowest: float | None = None,
         keep: Sequence[str] = (),
+        across: float | None = None,
+        min_size: float | None = None,
+        sizes: npt.ArrayLike | Callable[[Any], npt.ArrayLike] | Sequence[Any] | Mapping[str, Any] | str | os.PathLike[str] | None = None,
+        preset: str | None = None,
     ) -> tuple[Domain, dict[str, Any]]:
         """The least change of the boundary that lets a mesh with points inside have no angle below ``limit`` degrees.
 
         The boundary moves by ``within`` at most, an eighth of ``size`` without it; ``size`` is the length of edges, which change
-        gradually, by ``growth`` (0.4 without it; 0 puts points only where the limit needs them). ``keep`` names sides that stay. Straits, inlets and spits below ``narrowest`` are closed or cut off. A border of two regions changes once, for both. Gives the new domain, and the changes as ``mindeg
-        condition --json`` has them.
+        gradually, by ``growth`` (0.4 without it; 0 puts points only where the limit needs them). ``keep`` names sides that stay. Straits, inlets and spits below ``narrowest`` are closed or cut off. A border of two regions changes once, for both.
+        Edges get no longer than ``across`` and ``sizes``, as in ``mesh``, want the mesh to be there, down to ``min_size`` or an eighth of ``size``.
+        Gives the new domain, and the changes as ``mindeg condition --json`` has them.
         """
         keep = [keep] if isinstance(keep, str) else list(keep)
-        text, changes = self._condition(limit, (within, size, growth, least_island, narrowest), keep)
+        wanted = {"across": across, "min_size": min_size, "sizes": sizes}
+        given = (within, size, growth, least_island, narrowest)
+        text, changes = self._condition(self._wish(True, preset, {}, wanted), limit, given, keep)
         return _mindeg._Domain.__new__(Domain, text), changes
 
     def advice(self) -> dict[str, Any]:

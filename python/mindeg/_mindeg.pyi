@@ -106,6 +106,7 @@ class _Domain:
     def _mesh(self, wish: dict[str, Any]) -> Mesh: ...
     def _condition(
         self,
+        wish: dict[str, Any],
         limit: float,
         given: tuple[float | None, float | None, float | None, float | None, float | None],
         keep: Sequence[str],

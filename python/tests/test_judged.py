@@ -130,6 +130,16 @@ def test_a_boundary_is_conditioned():
     step = mindeg.Domain([[0, 0], [5, 0], [5, 0.01], [10, 0.01], [10, 10], [0, 10]])
     assert step.condition(within=0.02)[1]["dropped"] == 1
     assert step.condition(size=2, limit=20)[1]["moved"] <= 0.25
+    _, coarse = strait.condition(size=2)
+    fine, changes = strait.condition(size=2, across=4, min_size=0.1)
+    assert changes["points"] > 2 * coarse["points"]
+    lengths = np.linalg.norm(np.diff(fine.points, axis=0), axis=1)
+    assert lengths.max() <= 4 / 3 * 0.25
+    assert strait.condition(size=2, sizes=[[0, 0, 0.1]])[1]["points"] > coarse["points"]
+    assert strait.condition(size=2, sizes=lambda at: np.full(len(at), 0.3))[1]["points"] > coarse["points"]
+    assert step.condition(preset="telemac")[1]["points"] > 0
+    with pytest.raises(ValueError, match="across"):
+        strait.condition(across=0)
     with pytest.raises(ValueError, match='no side "nix" to keep'):
         strait.condition(keep="nix")
     with pytest.raises(ValueError, match="at most 40"):

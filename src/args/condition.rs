@@ -2,12 +2,16 @@
 
 use super::demands::preset_parser;
 use super::domain::OutlineOptions;
-use super::ocean::BoundaryKinds;
+use super::ocean::{BoundaryKinds, DepthArguments};
 use super::values::{Length, area, distance, length_with_unit};
 use super::with_exit_codes;
+use crate::failure::Failure;
+use crate::interrupt::SESSION;
 use clap::Args;
 use mindeg::interior::{BoundaryDemands, LEAST_GROWTH};
+use mindeg::{Domain, Interior, Size};
 use mindeg_answers::preset::Preset;
+use mindeg_files::Input;
 use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
@@ -38,6 +42,19 @@ pub(crate) struct ConditionArguments {
     #[arg(long, value_name = "LENGTH", value_parser = length_with_unit, allow_hyphen_values = true)]
     pub(crate) size: Option<Length>,
 
+    /// Sizes that the mesh inside is to have, as in mindeg mesh: edges of the boundary get no longer, down to --min-size,
+    /// without it to an eighth of --size. At least so many edges across channels and beside islands
+    #[arg(long, value_name = "A", value_parser = across, allow_hyphen_values = true)]
+    pub(crate) across: Option<f64>,
+
+    /// Sizes of a grid or mesh: .asc, classic NetCDF, NPZ, .npy, MSH, VTU; the least of several holds
+    #[arg(long, value_name = "FILE")]
+    pub(crate) sizes: Vec<PathBuf>,
+
+    /// The least size that counts: sizes asked for below it are raised to it
+    #[arg(long, value_name = "S", value_parser = length_with_unit, allow_hyphen_values = true)]
+    pub(crate) min_size: Option<Length>,
+
     /// No edge is longer than 4/3 of another and this times their distance together: a mesh reaches its limits more surely
     /// where lengths change gradually; 0.35 or more, or 0 for no such rule [default: 0.4]
     #[arg(long, value_name = "G", value_parser = growth, allow_hyphen_values = true)]
@@ -56,6 +73,9 @@ pub(crate) struct ConditionArguments {
 
     #[command(flatten)]
     pub(crate) kinds: BoundaryKinds,
+
+    #[command(flatten)]
+    pub(crate) depth: DepthArguments,
 
     /// Where to write the domain in JSON, or its outlines in GeoJSON if it ends in .geojson; - is standard output
     #[arg(short, long, value_name = "FILE", help_heading = None)]
@@ -159,6 +179,33 @@ fn changes_file(text: &str) -> Result<PathBuf, String> {
         return Ok(path);
     }
     Err("changes are drawn to .svg, and listed in .geojson or .json".to_owned())
+}
+
+impl ConditionArguments {
+    /// The wishes for the inside of domains that lie in one plane, in place of those of a single one.
+    pub(crate) fn wanted(&self, domains: &[Domain]) -> Result<Interior, Failure> {
+        let [first, others @ ..] = domains else { return Ok(Interior::default()) };
+        let of_file = first.interior().filter(|_| others.is_empty());
+        let mut wanted = of_file.cloned().unwrap_or_default();
+        wanted.across = self.across.or(wanted.across);
+        wanted.min_size = self.min_size.map(|size| size.value).or(wanted.min_size);
+        for path in &self.sizes {
+            wanted.sizes.push(Size::Between(SESSION.sizes(&Input::of(path))?));
+        }
+        if let Some(preset) = self.preset {
+            wanted = preset.asked_of(wanted);
+        }
+        let depths = self.depth.read(first.projection())?;
+        self.depth.over(depths.as_ref(), wanted, domains)
+    }
+}
+
+/// A number of edges across a channel.
+fn across(text: &str) -> Result<f64, String> {
+    let across = text.trim().parse().ok();
+    let across = across.ok_or_else(|| "give a number of edges, such as 3".to_owned())?;
+    let wanted = Interior { across: Some(across), ..Interior::default() };
+    wanted.check().map(|()| across).map_err(|error| error.message)
 }
 
 /// A growth that halving edges can reach.

@@ -5,13 +5,13 @@ use super::demands::PresetArgument;
 use super::domain::DomainArguments;
 use super::goal::GoalArguments;
 use super::interior::InteriorArguments;
-use super::ocean::{BoundaryKinds, DepthArguments};
+use super::ocean::{BoundaryKinds, DepthArguments, depth, without_depths};
 use super::surface::SurfaceArguments;
 use super::values::length;
 use super::with_exit_codes;
 use crate::failure::Failure;
 use clap::Args;
-use mindeg::GoalKind;
+use mindeg::{Depths, GoalKind, Projection};
 use mindeg_answers::demands::Demands;
 
 const EXAMPLES: &str = "\
@@ -61,6 +61,11 @@ pub(crate) struct MeshArguments {
     #[command(flatten)]
     pub(crate) depth: DepthArguments,
 
+    /// The least depth of a vertex; shallower ones, and dry land, get it
+    #[arg(long, value_name = "METRES", value_parser = depth, allow_hyphen_values = true,
+        help_heading = "Ocean models")]
+    pub(crate) least_depth: Option<f64>,
+
     #[command(flatten)]
     pub(crate) surface: SurfaceArguments,
 
@@ -85,6 +90,18 @@ impl MeshArguments {
     /// The demands on a mesh whose points are to have this minimum angle.
     pub(crate) fn demands(&self, target_angle: Option<f64>) -> Demands {
         Demands { max_degree: self.goal.max_degree(), target_angle, preset: self.preset.preset }
+    }
+
+    /// The depths in the plane of a domain, if a file is given.
+    pub(crate) fn depths(
+        &self,
+        projection: Option<&Projection>,
+    ) -> Result<Option<Depths>, Failure> {
+        let depths = self.depth.read(projection)?;
+        match self.least_depth {
+            Some(_) if depths.is_none() => Err(without_depths("--least-depth")),
+            _ => Ok(depths),
+        }
     }
 
     /// Refuses goals that have no meaning with interior points, which `from` asks for.

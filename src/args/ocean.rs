@@ -6,7 +6,7 @@ use crate::interrupt::SESSION;
 use crate::terminal::say;
 use clap::Args;
 use mindeg::glam::DVec2;
-use mindeg::{DepthRules, Depths, Domain, OpenWater, Opening, Projection};
+use mindeg::{DepthRules, Depths, Domain, Interior, OpenWater, Opening, Projection, Size};
 use mindeg_answers::numbers::count;
 use mindeg_files::Input;
 use mindeg_mesh::{LineKind, number, significant};
@@ -157,10 +157,6 @@ pub(crate) struct DepthArguments {
     #[arg(long, value_name = "FILE", conflicts_with = "depth")]
     pub(crate) elevation: Option<PathBuf>,
 
-    /// The least depth of a vertex; shallower ones, and dry land, get it
-    #[arg(long, value_name = "METRES", value_parser = depth, allow_hyphen_values = true)]
-    pub(crate) least_depth: Option<f64>,
-
     /// Sizes by the depth: so many edges on the wave of the M2 tide, 12.42 h, in shallow water
     #[arg(long, value_name = "N", value_parser = above_0, allow_hyphen_values = true)]
     pub(crate) wavelength: Option<f64>,
@@ -180,7 +176,6 @@ impl DepthArguments {
         let given = [
             ("--depth", self.depth.is_some()),
             ("--elevation", self.elevation.is_some()),
-            ("--least-depth", self.least_depth.is_some()),
             ("--wavelength", self.wavelength.is_some()),
             ("--slope", self.slope.is_some()),
             ("--time-step", self.time_step.is_some()),
@@ -196,17 +191,33 @@ impl DepthArguments {
             (None, None) => {
                 return match self.first_given() {
                     None => Ok(None),
-                    Some(option) => Err(Failure::Input(format!(
-                        "{option} needs depths: add --depth FILE, or --elevation FILE"
-                    ))),
+                    Some(option) => Err(without_depths(option)),
                 };
             }
         };
         Ok(Some(depths.in_plane_of(projection)))
     }
 
+    /// The wishes for the inside of domains, with the sizes that depths ask for.
+    pub(crate) fn over(
+        &self,
+        depths: Option<&Depths>,
+        mut wanted: Interior,
+        domains: &[Domain],
+    ) -> Result<Interior, Failure> {
+        let (Some(rules), Some(depths)) = (self.rules(), depths) else { return Ok(wanted) };
+        let sizes = depths.sizes(&rules, domains.iter().flat_map(|it| it.placement().points()));
+        if sizes.points.is_empty() {
+            return Err(Failure::input(
+                "the depths ask for no size: none is above 0 in the box around the domain",
+            ));
+        }
+        wanted.sizes.push(Size::Between(sizes));
+        Ok(wanted)
+    }
+
     /// The rules for sizes.
-    pub(crate) fn rules(&self) -> Option<DepthRules> {
+    fn rules(&self) -> Option<DepthRules> {
         let Self { wavelength, slope, time_step, .. } = *self;
         (wavelength.is_some() || slope.is_some()).then_some(DepthRules {
             wavelength,
@@ -216,8 +227,13 @@ impl DepthArguments {
     }
 }
 
+/// The error of an option where there are no depths.
+pub(super) fn without_depths(option: &str) -> Failure {
+    Failure::Input(format!("{option} needs depths: add --depth FILE, or --elevation FILE"))
+}
+
 /// A depth of water; a negative one would be land.
-fn depth(text: &str) -> Result<f64, String> {
+pub(super) fn depth(text: &str) -> Result<f64, String> {
     let number = text.trim().parse().ok();
     let number = number.filter(|number: &f64| number.is_finite() && *number >= 0.0);
     number.ok_or_else(|| "give a depth in metres, 0 or more, such as 2".to_owned())

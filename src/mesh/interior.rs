@@ -1,7 +1,7 @@
 //! `mindeg mesh --interior`: a domain with points inside.
 
 use super::features::SEPARATE;
-use super::ocean::{Ocean, by_depth, with_depths};
+use super::ocean::{Ocean, with_depths};
 use crate::args::MeshArguments;
 use crate::bar::Bar;
 use crate::condition::drawn;
@@ -85,7 +85,8 @@ pub(super) fn wanted(
 pub(super) fn refuse_options(arguments: &MeshArguments) -> Result<(), Failure> {
     let options = &arguments.interior;
     let sizes = (!options.sizes.is_empty()).then(|| "--sizes".to_owned());
-    let depth = arguments.depth.first_given().map(str::to_owned);
+    let least_depth = arguments.least_depth.map(|_| "--least-depth");
+    let depth = arguments.depth.first_given().or(least_depth).map(str::to_owned);
     let condition = arguments.condition.map(|_| "--condition".to_owned());
     match options.wanted.first_given().or(sizes).or(depth).or(condition) {
         Some(option) => Err(Failure::Input(format!(
@@ -125,7 +126,7 @@ fn prepared<'d>(
     let change = &arguments.change;
     let (size, least) = (arguments.domain.options.size, wanted.least_triangles());
     let demands = change.demands(angle, size, None, least);
-    let (new, conditioned) = interior::condition_all(domains, &demands, &change.keep)
+    let (new, conditioned) = interior::condition_all(domains, wanted, &demands, &change.keep)
         .map_err(|(_, error)| Failure::input(error))?;
     let answer = ConditionAnswer::of(domains, &new, &conditioned);
     // The coast changes as without open water, so one step gives the mesh of two.
@@ -222,11 +223,11 @@ pub(super) fn run(
     mut making: Making,
 ) -> Result<(), Failure> {
     let old = std::slice::from_ref(domain);
+    let depths = arguments.depths(domain.projection())?;
+    let beside = sizes_beside(old, &wanted.sizes);
+    let wanted = &arguments.depth.over(depths.as_ref(), wanted.clone(), old)?;
     let Prepared { domains, conditioned, openings } = prepared(arguments, wanted, old)?;
     let domain = &domains[0];
-    let depths = arguments.depth.read(domain.projection())?;
-    let beside = sizes_beside(&domains, &wanted.sizes);
-    let wanted = &by_depth(arguments, depths.as_ref(), wanted, &domains)?;
     making.open()?;
     let meshed = making.work(|progress| interior::mesh(domain, wanted, progress));
     let found = meshed.map_err(|error| refused(domain, wanted, &error))?;
@@ -277,12 +278,12 @@ pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Res
     let mut making = Making::new(&arguments.surface, arguments.quiet, arguments.json)?;
     let old = Parts::of(polygons, SEPARATE)?.domains;
     let wanted = with_sizes(arguments, None)?;
-    let Prepared { domains, conditioned, openings } = prepared(arguments, &wanted, &old)?;
-    let projection = domains.first().and_then(Domain::projection).copied();
+    let projection = old.first().and_then(Domain::projection).copied();
     making.unproject(projection.as_ref());
-    let depths = arguments.depth.read(projection.as_ref())?;
-    let beside = sizes_beside(&domains, &wanted.sizes);
-    let wanted = by_depth(arguments, depths.as_ref(), &wanted, &domains)?;
+    let depths = arguments.depths(projection.as_ref())?;
+    let beside = sizes_beside(&old, &wanted.sizes);
+    let wanted = arguments.depth.over(depths.as_ref(), wanted, &old)?;
+    let Prepared { domains, conditioned, openings } = prepared(arguments, &wanted, &old)?;
     making.open()?;
     let meshed = making.work(|progress| interior::mesh_all(&domains, &wanted, progress));
     let mut found = meshed.map_err(|(index, error)| refused(&domains[index], &wanted, &error))?;

@@ -1,8 +1,8 @@
 //! Depths and open water of `mindeg mesh --interior`.
 
-use crate::args::{DepthArguments, MeshArguments};
+use crate::args::MeshArguments;
 use crate::failure::Failure;
-use mindeg::{Depths, Domain, Interior, Opening, Projection, Size, TriMesh};
+use mindeg::{Depths, Opening, Projection, TriMesh};
 use mindeg_answers::ocean::{DepthsAnswer, OpeningRow};
 use serde::Serialize;
 
@@ -39,27 +39,6 @@ impl Ocean {
     }
 }
 
-/// The wishes with the sizes that depths ask for.
-pub(super) fn by_depth(
-    arguments: &MeshArguments,
-    depths: Option<&Depths>,
-    wanted: &Interior,
-    domains: &[Domain],
-) -> Result<Interior, Failure> {
-    let mut wanted = wanted.clone();
-    if let (Some(rules), Some(depths)) = (arguments.depth.rules(), depths) {
-        let points = domains.iter().flat_map(|domain| domain.placement().points());
-        let sizes = depths.sizes(&rules, points);
-        if sizes.points.is_empty() {
-            return Err(Failure::input(
-                "the depths ask for no size: none is above 0 in the box around the domain",
-            ));
-        }
-        wanted.sizes.push(Size::Between(sizes));
-    }
-    Ok(wanted)
-}
-
 /// Gives the vertices their depths, and says which.
 pub(super) fn with_depths(
     mesh: TriMesh,
@@ -68,8 +47,8 @@ pub(super) fn with_depths(
     projection: Option<&Projection>,
 ) -> Result<(TriMesh, Option<DepthsAnswer>), Failure> {
     let Some(depths) = depths else { return Ok((mesh, None)) };
-    let DepthArguments { least_depth, time_step, .. } = &arguments.depth;
-    let found = DepthsAnswer::of(mesh, depths, *least_depth, *time_step, projection);
+    let (least, time_step) = (arguments.least_depth, arguments.depth.time_step);
+    let found = DepthsAnswer::of(mesh, depths, least, time_step, projection);
     let (mesh, answer) = found.ok_or_else(|| {
         Failure::input(
             "--depth: no vertex of the mesh lies on the grid of depths; give the grid of this region",

@@ -218,6 +218,20 @@ fn one_step_gives_the_mesh_of_two_and_tells_the_changes() {
     assert_eq!(conditioned["is_reached"], true);
     assert_eq!(told["limit"]["angle_limit"], conditioned["angle_limit"]);
 
+    // Sizes that the mesh is to have inside divide the coast, too, in both ways.
+    let depth = domain("../outlines/saronic-depth.asc");
+    let sizes = ["--across", "3", "--min-size", "600m", "--depth", &depth, "--wavelength", "100"];
+    let change = ["--size", "4km", "--json"];
+    let alone = mindeg([&["condition"], &project[..], &change, &sizes].concat()).json();
+    let meshed = ["--interior", "--condition", "-o", &one];
+    let told = mindeg([&["mesh"], &project[..], &change, &meshed, &sizes].concat()).json();
+    assert_eq!(told["conditioned"]["points"], alone["points"]);
+    let coarse = conditioned["points"].as_u64();
+    assert!(alone["points"].as_u64() > coarse.map(|it| it * 5 / 4), "{alone}");
+    let refused = |more: &[&str]| mindeg([&["condition"], &project[..], more].concat());
+    refused(&["--across", "0"]).refuses(&["--across", "more than 0"]);
+    refused(&["--slope", "9"]).refuses(&["--slope needs depths: add --depth FILE"]);
+
     // Without a mesh there is no drawing of its changes.
     let unmet = path("unmet.geojson");
     let demand = ["--condition=24", "--size", "4km", "--changes", &unmet, "--max-degree", "5"];

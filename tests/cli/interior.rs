@@ -296,7 +296,7 @@ fn sizes_that_the_boundary_contradicts_are_told_with_a_way_out() {
     for words in [
         "warning: the boundary and lines are never divided, and too coarse for the sizes asked for: side 1 has an edge \
          1 long at (0.5, 0) where the size asked for is 0.1, which takes 10 intervals on it, not 1; side 2",
-        "or all of them --size 0.1.",
+        "or all of them --size 0.1; or add --condition, which divides edges down to --min-size.",
     ] {
         assert!(errors.contains(words), "{errors}");
     }

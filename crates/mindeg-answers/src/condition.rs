@@ -23,12 +23,12 @@ use std::fmt::Write as _;
 /// # Example
 ///
 /// ```
-/// use mindeg::Domain;
+/// use mindeg::{Domain, Interior};
 /// use mindeg::interior::{BoundaryDemands, condition};
 /// use mindeg_answers::condition::ConditionAnswer;
 ///
 /// let strait = Domain::from_rings([[[0.0, 0.0], [10.0, 0.0], [10.0, 0.5], [0.0, 0.5]]])?;
-/// let (domain, conditioned) = condition(&strait, &BoundaryDemands::default(), &[])?;
+/// let (domain, conditioned) = condition(&strait, &Interior::default(), &BoundaryDemands::default(), &[])?;
 /// let answer = ConditionAnswer::of(&[strait], &[domain], &[conditioned]);
 /// assert!(answer.is_reached && answer.inserted > 4 && answer.dropped == 0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -335,6 +335,7 @@ const MOST_LEFT: usize = 10;
 #[cfg(test)]
 mod tests {
     use super::*;
+    use mindeg::Interior;
     use mindeg::interior::{BoundaryDemands, condition};
 
     #[test]
@@ -342,7 +343,7 @@ mod tests {
         let strait =
             Domain::from_rings([[[0.0, 0.0], [10.0, 0.0], [10.0, 0.5], [0.0, 0.5]]]).unwrap();
         let (domain, mut conditioned) =
-            condition(&strait, &BoundaryDemands::default(), &[]).unwrap();
+            condition(&strait, &Interior::default(), &BoundaryDemands::default(), &[]).unwrap();
         let text = |conditioned: &Conditioned| {
             let answer = ConditionAnswer::of(
                 std::slice::from_ref(&strait),

@@ -47,7 +47,7 @@ pub fn with_points_on_edges(
 ) -> Option<(Vec<Domain>, usize)> {
     let least_triangles = wanted.least_triangles();
     let demands = BoundaryDemands { least_triangles, ..BoundaryDemands::default() };
-    let (new, changed) = interior::condition_all(domains, &demands, kept).ok()?;
+    let (new, changed) = interior::condition_all(domains, wanted, &demands, kept).ok()?;
     let changes = changed.iter().flat_map(|one| &one.changes);
     let points = changes.filter(|change| change.kind == ChangeKind::Inserted).count();
     Some((new, points))

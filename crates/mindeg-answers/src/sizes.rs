@@ -24,7 +24,8 @@ pub fn sizes(report: &InteriorReport) -> Option<String> {
 pub fn coarse_sides(found: &InteriorMesh, projection: Option<&Projection>) -> Option<String> {
     if let Some((problem, least)) = too_coarse(found, projection) {
         return Some(format!(
-            "warning: {problem}. Give these sides more intervals, or all of them --size {least}."
+            "warning: {problem}. Give these sides more intervals, or all of them --size {least}; or add \
+             --condition, which divides edges down to --min-size."
         ));
     }
     (found.report.interior_points == 0).then(|| {

@@ -4,7 +4,7 @@
 //! place; these stay.
 
 use crate::changes::{BoundaryChange, ChangeKind, Point, Why};
-use crate::demands::{Given, Hold};
+use crate::demands::{Given, Hold, SizeAtPlace};
 use crate::grid::Grid;
 use glam::DVec2;
 use mindeg_mesh::planar::PlanarBoundary;
@@ -36,7 +36,7 @@ pub(crate) struct Vertex {
 }
 
 /// All rings and lines, and the log of changes.
-pub(crate) struct Chains {
+pub(crate) struct Chains<'a> {
     pub(crate) vertices: Vec<Vertex>,
     /// How many chains are rings, and how many are lines, which follow.
     rings: usize,
@@ -50,18 +50,19 @@ pub(crate) struct Chains {
     marks: Vec<DVec2>,
     marked: Grid,
     pub(crate) changes: Vec<BoundaryChange>,
+    pub(crate) size_at: &'a SizeAtPlace<'a>,
     /// Longer edges are in the grid at every such length too, once points are moved; infinite before.
     pub(crate) spacing: f64,
     /// How far points were moved at most.
     pub(crate) shifted: f64,
 }
 
-impl Chains {
+impl<'a> Chains<'a> {
     /// The chains of a boundary.
     pub(crate) fn new(
         boundary: &PlanarBoundary,
-        Given { hold, has_domain, is_straight, marks }: &Given<
-            '_,
+        Given { hold, has_domain, is_straight, size_at, marks }: &Given<
+            'a,
             impl Fn(u32) -> Hold,
             impl Fn(u32) -> [bool; 2],
             impl Fn(u32) -> bool,
@@ -133,6 +134,7 @@ impl Chains {
             least_triangles,
             marks,
             changes: Vec::new(),
+            size_at: *size_at,
             spacing: f64::INFINITY,
             shifted: 0.0,
         };

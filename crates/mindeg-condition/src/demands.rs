@@ -10,7 +10,7 @@ pub const LEAST_GROWTH: f64 = 0.35;
 pub(crate) const GROWTH: f64 = 0.4;
 
 /// An edge below this share of the size is short: shores may move apart by four times as much, so hardly any has to stay.
-const SHORT: f64 = 1.0 / 16.0;
+pub(crate) const SHORT: f64 = 1.0 / 16.0;
 
 /// The changes that a vertex of a boundary may undergo.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -27,11 +27,15 @@ pub enum Hold {
     Edge,
 }
 
+/// The wanted length of an edge at a place; infinite where none is wanted but that of the demands.
+pub(crate) type SizeAtPlace<'a> = dyn Fn(DVec2) -> f64 + Sync + 'a;
+
 /// The rules for the edges of a boundary, and points that no change takes to the other side of one.
 pub(crate) struct Given<'a, H, D, S> {
     pub(crate) hold: H,
     pub(crate) has_domain: D,
     pub(crate) is_straight: S,
+    pub(crate) size_at: &'a SizeAtPlace<'a>,
     pub(crate) marks: &'a [DVec2],
 }
 
@@ -73,11 +77,6 @@ impl BoundaryDemands {
     #[must_use]
     pub fn of_size(size: f64) -> Self {
         Self { size: Some(size), within: size / 8.0, ..Self::default() }
-    }
-
-    /// The length below which an edge is short beside the size.
-    pub(crate) fn short(&self) -> Option<f64> {
-        self.size.map(|size| SHORT * size)
     }
 
     pub(crate) fn check(&self) -> Result<(), ConditionError> {

@@ -2,13 +2,13 @@
 
 use crate::chains::{Chains, NONE, farthest};
 use crate::changes::{BoundaryChange, ChangeKind, Point, Why};
-use crate::demands::{BoundaryDemands, Hold};
+use crate::demands::{BoundaryDemands, Hold, SHORT};
 use crate::edges::LONGEST;
 use glam::DVec2;
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, VecDeque};
 
-impl Chains {
+impl Chains<'_> {
     /// Drops points at vertices whose limit is too small.
     pub(crate) fn simplify(&mut self, demands: &BoundaryDemands) {
         if demands.within == 0.0 {
@@ -33,12 +33,18 @@ impl Chains {
 
     /// With a size, drops the points that are nearest to their neighbours' line, as long as no edge gets too long for it.
     pub(crate) fn thin(&mut self, demands: &BoundaryDemands) {
-        let Some(size) = demands.size.filter(|_| demands.within > 0.0) else { return };
-        let longest = size * LONGEST;
+        if demands.size.is_none() || demands.within == 0.0 {
+            return;
+        }
         // Distances are not negative, so their bits have their order.
         let entry = |chains: &Self, vertex: u32| {
             let [u, w] = [chains.previous(vertex), chains.next(vertex)];
-            let is_short = u != NONE && w != NONE && chains.at(u).distance(chains.at(w)) <= longest;
+            let is_short = || {
+                let [from, to] = [u, w].map(|v| chains.at(v));
+                let size = chains.size_at(from.midpoint(to), demands);
+                size.is_some_and(|size| from.distance(to) <= LONGEST * size)
+            };
+            let is_short = u != NONE && w != NONE && is_short();
             let distance = is_short.then(|| chains.drop_distance(vertex, demands))??;
             Some(Reverse((distance.to_bits(), vertex)))
         };
@@ -54,17 +60,23 @@ impl Chains {
 
     /// Whether an edge is short beside the size.
     pub(crate) fn has_short(&self, demands: &BoundaryDemands) -> bool {
-        let short = demands.short().unwrap_or(0.0);
-        self.edges().any(|edge| self.length(edge) < short)
+        self.edges().any(|edge| self.is_short(edge, demands))
+    }
+
+    fn is_short(&self, edge: u32, demands: &BoundaryDemands) -> bool {
+        let size = self.size_at(self.middle(edge), demands);
+        size.is_some_and(|size| self.length(edge) < SHORT * size)
     }
 
     /// Drops ends of edges that are short beside the size, the shortest first, where the angles at their neighbours allow it: what
     /// these have of uneven edges then, points on edges mend.
     pub(crate) fn join_short(&mut self, demands: &BoundaryDemands) {
-        let Some(short) = demands.short().filter(|_| demands.within > 0.0) else { return };
+        if demands.within == 0.0 {
+            return;
+        }
         let entry = |chains: &Self, edge: u32| {
-            let length = chains.length(edge);
-            (length < short).then_some(Reverse((length.to_bits(), edge)))
+            let length = chains.length(edge).to_bits();
+            chains.is_short(edge, demands).then_some(Reverse((length, edge)))
         };
         let mut heap: BinaryHeap<_> = self.edges().filter_map(|edge| entry(self, edge)).collect();
         while let Some(top @ Reverse((_, edge))) = heap.pop() {

@@ -23,7 +23,7 @@ const MOST_POINTS: usize = 20_000_000;
 /// Edges shorter than this share of the largest coordinate are not divided.
 const SHORTEST: f64 = 1e-12;
 
-impl Chains {
+impl Chains<'_> {
     /// Divides edges until all limits are as demanded, or nothing more helps.
     pub(crate) fn divide(&mut self, demands: &BoundaryDemands) -> Result<(), ConditionError> {
         let mut fresh: Vec<u32> = self.alive().collect();
@@ -88,14 +88,20 @@ impl Chains {
         long
     }
 
+    /// The wanted length of an edge at a place, if there is one.
+    pub(crate) fn size_at(&self, at: DVec2, demands: &BoundaryDemands) -> Option<f64> {
+        let size = (self.size_at)(at).min(demands.size.unwrap_or(f64::INFINITY));
+        size.is_finite().then_some(size)
+    }
+
     /// The edges at a vertex that are too long: for the size, or beside another one.
     fn to_divide(&self, vertex: u32, demands: &BoundaryDemands) -> Vec<(u32, Why)> {
-        let most = demands.size.map_or(f64::INFINITY, |size| LONGEST * size);
         let mut long: Vec<(u32, Why)> = Vec::new();
         let (mut longest, mut shortest) = ((0.0, vertex), f64::INFINITY);
         for edge in self.edges_at(vertex) {
             let length = self.length(edge);
-            if length > most {
+            let size = self.size_at(self.middle(edge), demands);
+            if size.is_some_and(|size| length > LONGEST * size) {
                 long.push((edge, Why::Size));
             }
             if length >= longest.0 {

@@ -65,7 +65,7 @@ struct Place {
     meshed: Meshed,
 }
 
-impl Chains {
+impl Chains<'_> {
     /// Changes the inlets whose triangles cannot have the demanded angle. `prove` proves the chains as they are, and gives their boundary. Without rounds nothing is changed, and what is too thin is told.
     pub(crate) fn widen_inlets(
         &mut self,

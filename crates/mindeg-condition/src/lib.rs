@@ -71,11 +71,20 @@ pub fn condition(
     hold: impl Fn(u32) -> Hold,
 ) -> Result<Conditioned, ConditionError> {
     let on_rings = boundary.vertex_count();
-    condition_map(boundary, demands, hold, |edge| [true, edge >= on_rings], |_| false, &[])
+    condition_map(
+        boundary,
+        demands,
+        hold,
+        |edge| [true, edge >= on_rings],
+        |_| false,
+        &|_| f64::INFINITY,
+        &[],
+    )
 }
 
 /// [`condition`] where not all faces are meshed: `has_domain` tells of each edge whether one that is lies on its left, and on its
-/// right; `is_straight` whether it is of a side that stays straight, such as those of a box. No change takes one of `marks` to the
+/// right; `is_straight` whether it is of a side that stays straight, such as those of a box. `size_at`
+/// tells of a place how long an edge there should be at most, beside the size of the demands, or infinity. No change takes one of `marks` to the
 /// other side of an edge.
 ///
 /// # Errors
@@ -87,10 +96,11 @@ pub fn condition_map(
     hold: impl Fn(u32) -> Hold,
     has_domain: impl Fn(u32) -> [bool; 2],
     is_straight: impl Fn(u32) -> bool,
+    size_at: &(dyn Fn(DVec2) -> f64 + Sync),
     marks: &[DVec2],
 ) -> Result<Conditioned, ConditionError> {
     demands.check()?;
-    let given = Given { hold, has_domain, is_straight, marks };
+    let given = Given { hold, has_domain, is_straight, size_at, marks };
     if demands.narrowest == 0.0 {
         return Ok(round::of_wide(boundary, demands, &given, None)?.found);
     }

@@ -18,14 +18,16 @@ const LEAST: f64 = 1e-3;
 /// Tents of so many degrees meet across all water that is narrow beside its edges.
 const STEEP: f64 = 45.0;
 
-impl Chains {
+impl Chains<'_> {
     /// Moves the shores of narrow water apart, where there is a size.
     pub(crate) fn open_narrow(&mut self, demands: &BoundaryDemands) {
-        let Some(size) = demands.size.filter(|_| demands.within > 0.0) else { return };
+        if demands.size.is_none() || demands.within == 0.0 {
+            return;
+        }
         self.put_edges();
         for _ in 0..ROUNDS {
             let mut is_changed = false;
-            for (vertex, by) in self.too_near(NARROW * size) {
+            for (vertex, by) in self.too_near(demands) {
                 is_changed |= self.move_apart(vertex, by, demands);
             }
             if !is_changed {
@@ -34,8 +36,8 @@ impl Chains {
         }
     }
 
-    /// The points that are nearer than a width to an edge across water, each with its way to half of that.
-    fn too_near(&self, width: f64) -> BTreeMap<u32, DVec2> {
+    /// The points that are too near to an edge across water, each with its way to half of the width that it should have.
+    fn too_near(&self, demands: &BoundaryDemands) -> BTreeMap<u32, DVec2> {
         let mut nearest: BTreeMap<u32, (f64, DVec2)> = BTreeMap::new();
         for (_, [one, other]) in self.tents(STEEP) {
             let ends = [one, other].map(|edge| [edge, self.next(edge)]);
@@ -49,6 +51,8 @@ impl Chains {
                 for vertex in own {
                     let way = self.at(vertex) - nearest_on(self.at(vertex), across);
                     let distance = way.length();
+                    let size = self.size_at(self.at(vertex), demands);
+                    let width = NARROW * size.unwrap_or(0.0);
                     if distance < width && distance > 0.0 {
                         let known = nearest.entry(vertex).or_insert((f64::INFINITY, DVec2::ZERO));
                         if distance < known.0 {

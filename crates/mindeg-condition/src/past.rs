@@ -14,7 +14,7 @@ pub(crate) struct Past {
     home: Option<DVec2>,
 }
 
-impl Chains {
+impl Chains<'_> {
     /// Takes over what vertices have of an earlier round, in the order of all.
     pub(crate) fn begin_with(&mut self, past: &[Past]) {
         for (vertex, own) in self.vertices.iter_mut().zip(past) {

@@ -34,7 +34,7 @@ where
     D: Fn(u32) -> [bool; 2],
     S: Fn(u32) -> bool,
 {
-    let prove = |chains: &Chains| {
+    let prove = |chains: &Chains<'_>| {
         let (rings, lines) = chains.points();
         Ok(checked(boundary, &rings, &lines)?.0)
     };

@@ -88,6 +88,7 @@ impl Stage {
             hold,
             has_domain: |edge| (given.has_domain)(self.given_edge(edge)),
             is_straight: |edge| (given.is_straight)(self.given_edge(edge)),
+            size_at: given.size_at,
             marks: given.marks,
         }
     }

@@ -19,7 +19,7 @@ pub(crate) fn angle_to(from: DVec2, to: DVec2) -> f64 {
     if angle <= 0.0 { angle + TAU } else { angle }
 }
 
-impl Chains {
+impl Chains<'_> {
     /// The limit at a vertex, in degrees.
     pub(crate) fn limit(&self, vertex: u32) -> f64 {
         self.limit_with(vertex, vertex, DVec2::ZERO)

@@ -2,7 +2,7 @@
 
 use crate::chains::{Chains, NONE};
 
-impl Chains {
+impl Chains<'_> {
     /// Whether a vertex is on a side that stays straight.
     pub(crate) fn is_on_straight(&self, vertex: u32) -> bool {
         let is_straight = |v: u32| v != NONE && self.vertices[v as usize].is_straight;

@@ -9,7 +9,7 @@ const BESIDE: usize = 4;
 /// Edges of an arm have the direction of its first one, within so many degrees.
 const STRAIGHT: f64 = 1.0;
 
-impl Chains {
+impl Chains<'_> {
     /// The pairs of edges whose tents of an angle meet, each with the angle from which on they do.
     pub(crate) fn tents(&self, angle: f64) -> Vec<(f64, [u32; 2])> {
         self.tents_of(&self.edges().collect::<Vec<u32>>(), 0, angle)
@@ -98,7 +98,7 @@ pub(crate) struct Arms {
 
 impl Arms {
     /// O(n) for n vertices.
-    pub(crate) fn of(chains: &Chains) -> Self {
+    pub(crate) fn of(chains: &Chains<'_>) -> Self {
         let unknown = vec![NONE; chains.vertices.len()];
         let mut arms = Self { first: unknown.clone(), last: unknown };
         let least = libm::cos(STRAIGHT.to_radians());
@@ -127,7 +127,7 @@ impl Arms {
     }
 
     /// The least angle at the vertices between two edges in degrees, if their arms are beside each other.
-    pub(crate) fn least_between(&self, chains: &Chains, edges: [u32; 2]) -> Option<f64> {
+    pub(crate) fn least_between(&self, chains: &Chains<'_>, edges: [u32; 2]) -> Option<f64> {
         let [from, to] = edges.map(|edge| self.first[edge as usize]);
         if from == to {
             return Some(180.0);

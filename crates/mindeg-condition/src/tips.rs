@@ -9,7 +9,7 @@ const MOST_OF_EDGE: f64 = 0.5;
 /// So often a cut is halved until the boundary moves little enough and nothing is in its way.
 const TRIES: usize = 20;
 
-impl Chains {
+impl Chains<'_> {
     /// Cuts off corners that are sharper than the demanded angle, as far as the boundary may move, but no farther than
     /// it takes for an edge of the wanted length.
     pub(crate) fn cut_tips(&mut self, demands: &BoundaryDemands) {
@@ -30,7 +30,8 @@ impl Chains {
         let (at, half) = (self.at(tip), self.angle(tip) / 2.0);
         let edges = [before, after].map(|v| self.at(v) - at);
         let shortest = edges[0].length().min(edges[1].length());
-        let for_size = demands.size.map_or(f64::INFINITY, |size| size / (2.0 * libm::sin(half)));
+        let size = self.size_at(at, demands).unwrap_or(f64::INFINITY);
+        let for_size = size / (2.0 * libm::sin(half));
         // A hair less, so that no rounding takes the cut farther.
         let mut cut = (demands.within * (1.0 - 1e-9) / libm::cos(half))
             .min(MOST_OF_EDGE * shortest)

@@ -1,5 +1,6 @@
 //! Boundaries before and after.
 
+use crate::ANY;
 use glam::DVec2;
 use mindeg_condition::{
     BoundaryDemands, ChangeKind, Conditioned, Hold, Left, Reason, Why, condition, condition_map,
@@ -87,6 +88,35 @@ fn what_is_good_stays_bit_for_bit() {
     assert!(found.changes.is_empty() && found.left.is_empty() && found.moved == 0.0);
     let of: Vec<_> = found.rings[0].iter().map(|point| point.of).collect();
     assert_eq!(of, [Some(0), Some(1), Some(2), Some(3)]);
+}
+
+/// Sizes grow from the left of a square: its edges are no longer, and points go where longer edges are wanted.
+#[test]
+fn edges_have_the_sizes_of_their_places() {
+    let square = ring(&[[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]]);
+    let boundary = PlanarBoundary::new(std::slice::from_ref(&square)).unwrap();
+    let size_at = |place: DVec2| 0.25 + 0.25 * place.x;
+    let found = |boundary: &PlanarBoundary, demands| {
+        let free = |_| Hold::Free;
+        condition_map(boundary, demands, free, |_| [true, false], |_| false, &size_at, &[]).unwrap()
+    };
+    let demands = BoundaryDemands { growth: 0.0, ..BoundaryDemands::of_size(4.0) };
+    let new = places(&found(&boundary, &demands));
+    let edges = |ring: &[DVec2]| -> Vec<[DVec2; 2]> {
+        (0..ring.len()).map(|i| [ring[i], ring[(i + 1) % ring.len()]]).collect()
+    };
+    for [a, b] in edges(&new[0]) {
+        let size = size_at(a.midpoint(b));
+        assert!(a.distance(b) <= 4.0 / 3.0 * size && a.distance(b) > size / 3.0, "{a} {b} {size}");
+    }
+    // Many points become as few as these sizes want.
+    let fine: Vec<DVec2> = edges(&square)
+        .into_iter()
+        .flat_map(|[a, b]| (0..64).map(move |i| a.lerp(b, f64::from(i) / 64.0)))
+        .collect();
+    let fewer = places(&found(&PlanarBoundary::new(&[fine]).unwrap(), &demands));
+    let ratio = fewer[0].len() as f64 / new[0].len() as f64;
+    assert!((0.6..1.5).contains(&ratio), "{} {}", fewer[0].len(), new[0].len());
 }
 
 #[test]
@@ -419,7 +449,7 @@ fn the_end_of_a_straight_side_goes_along_it_and_the_side_stays_straight() {
         };
         let domain = |_| [true, false];
         let demands = BoundaryDemands::of_size(2.0);
-        condition_map(&boundary, &demands, hold, domain, is_straight, &[]).unwrap()
+        condition_map(&boundary, &demands, hold, domain, is_straight, &ANY, &[]).unwrap()
     };
     assert!(lengths(&places(&run(Hold::Corner)))[0] < 0.1);
     let found = run(Hold::End);
@@ -624,7 +654,7 @@ fn a_line_between_two_regions_is_changed_once_for_both() {
     let mark = [DVec2::new(4.005, 4.0)];
     let has_domain = |edge: u32| [true, edge >= map.vertex_count()];
     let marked =
-        condition_map(&map, &demands, |_| Hold::Free, has_domain, |_| false, &mark).unwrap();
+        condition_map(&map, &demands, |_| Hold::Free, has_domain, |_| false, &ANY, &mark).unwrap();
     assert_eq!(count(&marked, ChangeKind::Dropped), 0);
 }
 
@@ -714,7 +744,8 @@ fn maps_by_chance_reach_the_angle_within_the_distance() {
             let demands = BoundaryDemands { within, size, growth, ..BoundaryDemands::default() };
             let has_domain = |edge: u32| [true, edge >= map.vertex_count()];
             let found =
-                condition_map(&map, &demands, |_| Hold::Free, has_domain, |_| false, &[]).unwrap();
+                condition_map(&map, &demands, |_| Hold::Free, has_domain, |_| false, &ANY, &[])
+                    .unwrap();
             assert_eq!(found.lines.len(), map.line_count());
             assert!(found.moved <= within, "seed {seed}: {} {within}", found.moved);
             // Every old point is near its new line.

@@ -4,3 +4,6 @@
 
 mod condition;
 mod narrow;
+
+/// No place wants a size of its own.
+const ANY: fn(glam::DVec2) -> f64 = |_| f64::INFINITY;

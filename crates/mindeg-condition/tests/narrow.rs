@@ -1,5 +1,6 @@
 //! Narrow water and land.
 
+use crate::ANY;
 use glam::DVec2;
 use mindeg_condition::{
     BoundaryDemands, ChangeKind, Conditioned, Hold, NarrowReason, condition, condition_map,
@@ -181,7 +182,7 @@ fn what_is_to_stay_keeps_its_strait() {
         let domain = |_| [true, false];
         let free = |_| Hold::Free;
         let found =
-            condition_map(&boundary, &WIDE, free, domain, |_| false, &[mark.into()]).unwrap();
+            condition_map(&boundary, &WIDE, free, domain, |_| false, &ANY, &[mark.into()]).unwrap();
         assert_eq!((counts(&found), found.narrow.len()), ([0; 4], 1), "{mark:?}");
     }
 }
@@ -221,7 +222,8 @@ fn an_inlet_of_one_region_of_a_map_is_closed_and_the_border_stays() {
         PlanarBoundary::map(&[outer], &[DVec2::new(5.0, 2.0)], &[vec![0, 8, 1]]).unwrap();
     assert!(turned.is_empty());
     let domain = |edge| [true, edge >= 8];
-    let found = condition_map(&boundary, &WIDE, |_| Hold::Free, domain, |_| false, &[]).unwrap();
+    let found =
+        condition_map(&boundary, &WIDE, |_| Hold::Free, domain, |_| false, &ANY, &[]).unwrap();
     assert_eq!(counts(&found), [1, 0, 0, 0]);
     let line: Vec<_> = found.lines[0].iter().map(|point| (point.of, point.at)).collect();
     assert!(line.contains(&(Some(8), DVec2::new(5.0, 2.0))), "{line:?}");
@@ -231,7 +233,8 @@ fn an_inlet_of_one_region_of_a_map_is_closed_and_the_border_stays() {
     let through = [[1.0, 5.0], [12.0, 5.0]].map(DVec2::from);
     let (boundary, _) =
         PlanarBoundary::map(&[with_arm(0.5, 3.0)], &through, &[vec![8, 9]]).unwrap();
-    let found = condition_map(&boundary, &WIDE, |_| Hold::Free, domain, |_| false, &[]).unwrap();
+    let found =
+        condition_map(&boundary, &WIDE, |_| Hold::Free, domain, |_| false, &ANY, &[]).unwrap();
     assert_eq!(counts(&found), [0; 4]);
     assert!(found.narrow.iter().all(|narrow| narrow.reason == NarrowReason::Kept));
 }

@@ -47,7 +47,9 @@ pub(crate) fn conditioned(
     let Asked { angle, size, within } = *asked;
     let base = size.map_or_else(BoundaryDemands::default, BoundaryDemands::of_size);
     let demands = BoundaryDemands { angle, within: within.unwrap_or(base.within), ..base };
-    let (changed, found) = condition(&domain, &demands, &[]).map_err(|error| error.to_string())?;
+    let wanted = domain.interior().cloned().unwrap_or_default();
+    let (changed, found) =
+        condition(&domain, &wanted, &demands, &[]).map_err(|error| error.to_string())?;
     let json = RawValue::from_string(changed.to_json()).map_err(|error| error.to_string())?;
     let file = format!("{}-conditioned.json", domain_stem(&domain));
     let mut options = vec!["--limit".to_owned(), angle.to_string()];

@@ -50,7 +50,7 @@ mod tests {
                 "No point fits inside: the boundary is never divided.",
             ),
             (
-                "Give these sides more intervals, or all of them --size 0.5.",
+                "Give these sides more intervals, or all of them --size 0.5; or add --condition, which divides edges down to --min-size.",
                 "Give these sides more intervals.",
             ),
             (

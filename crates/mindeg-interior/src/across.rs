@@ -20,7 +20,7 @@ const MOST_ROUNDS: usize = 100;
 ///
 /// The way from a place on the boundary is the diameter of the largest circle that touches it there and lies inside.
 /// O(n log n).
-pub(crate) fn sizes_across(outline: &PlanarBoundary, across: f64, least: f64) -> Vec<SizeAt> {
+pub fn sizes_across(outline: &PlanarBoundary, across: f64, least: f64) -> Vec<SizeAt> {
     let tree = EdgeTree::of_boundary(outline);
     let most = outline.bounds().size().length();
     let mut sizes = Vec::new();

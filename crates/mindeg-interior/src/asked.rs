@@ -9,6 +9,30 @@ use mindeg_domain::{Size, SizeBetween, SizeFrom};
 use mindeg_mesh::planar::{PlanarBoundary, orientation};
 use std::f64::consts::TAU;
 
+/// The sizes that options ask for at any place, infinite where none: those of places, regions, names and background meshes, and the
+/// greatest and the least. What a boundary allows is not asked, nor is a size far from it.
+///
+/// ```
+/// use glam::DVec2;
+/// use mindeg_domain::{Interior, Size, SizeAt};
+/// use mindeg_interior::sizes_asked;
+/// use mindeg_mesh::planar::PlanarBoundary;
+///
+/// let square = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]].map(DVec2::from);
+/// let harbour = Size::At(SizeAt { at: DVec2::new(4.0, 0.0), size: 0.1 });
+/// let wanted = Interior { sizes: vec![harbour], growth: Some(0.5), ..Interior::default() };
+/// let size = sizes_asked(&PlanarBoundary::new(&[square])?, &wanted.into());
+/// assert_eq!(size(DVec2::new(2.0, 0.0)), 0.1 + 0.5 * 2.0);
+/// # Ok::<(), mindeg_mesh::planar::BoundaryError>(())
+/// ```
+pub fn sizes_asked(
+    outline: &PlanarBoundary,
+    options: &Options,
+) -> impl Fn(DVec2) -> f64 + Sync + use<> {
+    let asked = Asked::new(outline, options);
+    move |place| asked.at(place)
+}
+
 /// The least size that was asked for at any place.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Asked {

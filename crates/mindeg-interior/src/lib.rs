@@ -119,7 +119,8 @@ mod triangle;
 mod verdict;
 mod worth;
 
-pub use asked::size_of_area;
+pub use across::sizes_across;
+pub use asked::{size_of_area, sizes_asked};
 pub use draft::draft;
 pub use edge_limits::edge_limit;
 pub use generate::{Generated, generate, generate_once, generate_showing};

@@ -83,11 +83,13 @@ impl Domain {
     fn _condition<'py>(
         &self,
         py: Python<'py>,
+        wish: Wish<'py>,
         limit: f64,
         given: [Option<f64>; 5],
         keep: Vec<String>,
     ) -> PyResult<(String, Bound<'py, PyAny>)> {
         let [within, size, growth, least_island, narrowest] = given;
+        let (wanted, _) = wish.wanted(&self.inner.interior().cloned().unwrap_or_default())?;
         let base = size.map_or_else(BoundaryDemands::default, BoundaryDemands::of_size);
         let demands = BoundaryDemands {
             angle: limit,
@@ -95,9 +97,10 @@ impl Domain {
             growth: growth.unwrap_or(base.growth),
             least_hole: least_island.unwrap_or_default(),
             narrowest: narrowest.unwrap_or_default(),
+            least_triangles: wanted.least_triangles(),
             ..base
         };
-        let (new, conditioned) = done(py, |_| condition(&self.inner, &demands, &keep))?;
+        let (new, conditioned) = done(py, |_| condition(&self.inner, &wanted, &demands, &keep))?;
         let json = new.to_json();
         let answer = ConditionAnswer::of(std::slice::from_ref(&self.inner), &[new], &[conditioned]);
         Ok((json, dict(py, &answer)?))

@@ -119,7 +119,8 @@ impl Wish<'_> {
         let found = done(py, |progress| mindeg::interior::mesh(&domain, &wanted, progress))?;
         if let Some((problem, least)) = too_coarse(&found, domain.projection()) {
             let words = format!(
-                "{problem}. Give these sides more intervals, or make the domain with size={least}"
+                "{problem}. Give these sides more intervals, or make the domain with size={least}, or \
+                 condition it with the same sizes"
             );
             let category = py.get_type::<PyUserWarning>();
             PyErr::warn(py, &category, &CString::new(words)?, OF_CALLER)?;

@@ -79,13 +79,13 @@ struct Entry {
 /// # Example
 ///
 /// ```
-/// use mindeg::Domain;
+/// use mindeg::{Domain, Interior};
 /// use mindeg::interior::{BoundaryDemands, condition};
 /// use mindeg_answers::condition::ConditionAnswer;
 /// use mindeg_compare::write_changes_svg;
 ///
 /// let strait = Domain::from_rings([[[0.0, 0.0], [10.0, 0.0], [10.0, 0.5], [0.0, 0.5]]])?;
-/// let (domain, conditioned) = condition(&strait, &BoundaryDemands::default(), &[])?;
+/// let (domain, conditioned) = condition(&strait, &Interior::default(), &BoundaryDemands::default(), &[])?;
 /// let (before, after) = ([strait], [domain]);
 /// let answer = ConditionAnswer::of(&before, &after, &[conditioned]);
 /// let mut picture = Vec::new();

@@ -212,7 +212,7 @@ impl Around {
     /// Meshes it with the chains as they are now and a change; gives `was` where that is what was meshed, and none if there is no mesh.
     pub(super) fn meshed(
         &self,
-        chains: &Chains,
+        chains: &Chains<'_>,
         shores: &[Vec<u32>],
         step: Option<Step>,
         was: Option<&Meshed>,
@@ -269,7 +269,7 @@ struct Corner {
 }
 
 /// The corners of a ring: shores as they are now but for a change, and points on edges across the domain.
-fn corners(chains: &Chains, ring: &[Rim], step: Option<Step>) -> Vec<Corner> {
+fn corners(chains: &Chains<'_>, ring: &[Rim], step: Option<Step>) -> Vec<Corner> {
     let is_dropped = |v: u32| matches!(step, Some(Step::Drop { vertex }) if vertex == v);
     let corner = |v: u32| {
         let at = match step {

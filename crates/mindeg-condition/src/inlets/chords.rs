@@ -11,7 +11,7 @@ const WIDTH: f64 = 1.5;
 /// and where each triangle has a corner inside.
 const WIDTH_OF_CORNERS_INSIDE: f64 = 2.5;
 
-impl Chains {
+impl Chains<'_> {
     /// How many edges of their shores inlets and straits are wide at most.
     pub(super) fn narrow_width(&self) -> f64 {
         if self.least_triangles > 1 { WIDTH_OF_CORNERS_INSIDE } else { WIDTH }
@@ -20,7 +20,7 @@ impl Chains {
 
 /// The inlets of a boundary, whose vertices are the chains' in order: the shore of each, from one end of its mouth to the other, with the domain
 /// on the left. None lies in another one.
-pub(super) fn inlets(chains: &Chains, whole: &Whole<'_>) -> Vec<Vec<u32>> {
+pub(super) fn inlets(chains: &Chains<'_>, whole: &Whole<'_>) -> Vec<Vec<u32>> {
     let Whole { boundary, triangles, left, vertices, .. } = whole;
     let on_rings = vertices.len() as u32;
     let is_shore = |edge| whole.is_shore(edge);

@@ -9,7 +9,7 @@ use mindeg_interior::{edge_limit, least_angle};
 /// The greatest minimum angle of the triangles between shores after a change, closed at their mouths, and of what lies outside beside these, in degrees; if it is
 /// `enough`, that or more.
 pub(super) fn angle_of(
-    chains: &Chains,
+    chains: &Chains<'_>,
     shores: &[Vec<u32>],
     step: Option<Step>,
     enough: f64,
@@ -24,7 +24,7 @@ struct Water {
 }
 
 impl Water {
-    fn new(chains: &Chains, shores: &[Vec<u32>], step: Option<Step>) -> Self {
+    fn new(chains: &Chains<'_>, shores: &[Vec<u32>], step: Option<Step>) -> Self {
         let at = |v: u32| match step {
             Some(Step::Shift { vertex, to }) if vertex == v => to,
             _ => chains.at(v),

@@ -9,7 +9,7 @@ use mindeg_mesh::planar::orientation;
 /// An edge is long that has so many times the mean length.
 const LONG: f64 = 4.0;
 
-impl Chains {
+impl Chains<'_> {
     /// Where a point was before it was moved, and how far it may be from there; none if it may not be moved.
     pub(crate) fn reach(&self, vertex: u32, demands: &BoundaryDemands) -> Option<(DVec2, f64)> {
         let own = &self.vertices[vertex as usize];
@@ -153,6 +153,7 @@ mod tests {
             hold: |_| Hold::Free,
             has_domain: |_| [true, false],
             is_straight: |_| false,
+            size_at: &|_| f64::INFINITY,
             marks: &[],
         };
         let mut chains = Chains::new(&boundary, &given, 1);

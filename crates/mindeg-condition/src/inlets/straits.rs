@@ -16,7 +16,7 @@ const MOST_MOUTHS: usize = 4;
 
 /// The shores of each piece of a strait, with the domain on the left, in their order around it. `inlets` are left out.
 pub(super) fn straits(
-    chains: &Chains,
+    chains: &Chains<'_>,
     whole: &Whole<'_>,
     inlets: &[Vec<u32>],
 ) -> Vec<Vec<Vec<u32>>> {

@@ -1,14 +1,16 @@
 //! A domain whose boundary lets a mesh with points inside reach a given angle.
 
+mod pieces;
+
 use std::collections::BTreeSet;
-use std::ops::Range;
 
 use glam::DVec2;
-use mindeg_condition::{BoundaryDemands, Conditioned, Hold, Point, condition_map};
-use mindeg_domain::{Domain, Inside, Outline, Ring, Side, first_names};
-use mindeg_mesh::LineKind;
-use mindeg_mesh::planar::PlanarBoundary;
+use mindeg_condition::{BoundaryDemands, Conditioned, Hold, condition_map};
+use mindeg_domain::{Domain, Inside, Interior, Size, SizeAt};
+use mindeg_interior::{InteriorError, sizes_across, sizes_asked};
 
+use self::pieces::{Pieces, Sides};
+use super::posed::Posed;
 use crate::error::MeshError;
 
 /// Changes a domain's boundary, and the lines inside it, by as little as it takes for the limit of its minimum angle to reach the
@@ -16,7 +18,8 @@ use crate::error::MeshError;
 ///
 /// Corners where the name or the kind of sides changes are not dropped, only cut where they are too sharp. The sides and lines
 /// with a name of `kept` keep all their points. Other corners may go; the sides that met there are one side then, with the
-/// settings of the first. Points inside, and places where lines meet or end, stay.
+/// settings of the first. Points inside, and places where lines meet or end, stay. No edge is longer than 4/3 of the size that
+/// is `wanted` at its middle; without a least size there, sizes down to an eighth of the demanded one count.
 ///
 /// O(n log n) for n points of the result.
 ///
@@ -33,18 +36,19 @@ use crate::error::MeshError;
 ///
 /// // Two edges half a unit from each other, ten units long.
 /// let strait = Domain::from_rings([[[0.0, 0.0], [10.0, 0.0], [10.0, 0.5], [0.0, 0.5]]])?;
-/// let (domain, conditioned) = condition(&strait, &BoundaryDemands::default(), &[])?;
+/// let (domain, conditioned) = condition(&strait, &Interior::default(), &BoundaryDemands::default(), &[])?;
 /// assert!(conditioned.before < 6.0 && conditioned.after >= 25.0);
 /// assert!(interior::angle_limit(&domain, &Interior::default())?.min_angle >= 25.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn condition(
     domain: &Domain,
+    wanted: &Interior,
     demands: &BoundaryDemands,
     kept: &[String],
 ) -> Result<(Domain, Conditioned), MeshError> {
     let on_box = Domain::edges_on_box(std::slice::from_ref(domain)).concat();
-    condition_beside(domain, demands, kept, &on_box, &[])
+    condition_beside(domain, wanted, demands, kept, &on_box, &[])
 }
 
 /// [`condition`] of several domains that lie beside each other, such as islands: none gets into another.
@@ -54,6 +58,7 @@ pub fn condition(
 /// [`MeshError::Refused`], with the index of the domain.
 pub fn condition_all(
     domains: &[Domain],
+    wanted: &Interior,
     demands: &BoundaryDemands,
     kept: &[String],
 ) -> Result<(Vec<Domain>, Vec<Conditioned>), (usize, MeshError)> {
@@ -77,8 +82,9 @@ pub fn condition_all(
         let others = points.iter().enumerate().filter(|(other, _)| is_beside(*other));
         let near: Vec<DVec2> =
             others.flat_map(|(_, points)| points).copied().filter(is_near).collect();
-        let (new, conditioned) = condition_beside(domain, demands, kept, &on_box[index], &near)
-            .map_err(|error| (index, error))?;
+        let (new, conditioned) =
+            condition_beside(domain, wanted, demands, kept, &on_box[index], &near)
+                .map_err(|error| (index, error))?;
         points[index] = all_points(&new);
         boxes[index] = new.placement().bounds();
         found.0.push(new);
@@ -90,6 +96,7 @@ pub fn condition_all(
 /// [`condition`] of a domain with edges on a box, in ascending order, beside points that are not to get into the domain, nor out of it.
 fn condition_beside(
     domain: &Domain,
+    wanted: &Interior,
     demands: &BoundaryDemands,
     kept: &[String],
     on_box: &[u32],
@@ -142,7 +149,9 @@ fn condition_beside(
     };
     let regions = domain.inside().regions.iter().map(|region| region.at);
     let marks: Vec<DVec2> = regions.chain(beside.iter().copied()).collect();
-    let found = condition_map(&boundary, demands, hold, has_domain, is_on_box, &marks);
+    let asked = asked(domain, wanted, demands).map_err(|error| refused(&error))?;
+    let size_at = |place: DVec2| asked.as_ref().map_or(f64::INFINITY, |asked| asked(place));
+    let found = condition_map(&boundary, demands, hold, has_domain, is_on_box, &size_at, &marks);
     let found = found.map_err(|error| refused(&error))?;
     let rebuilt = |how| pieces.rebuilt(&found, how).map_err(|error| refused(&error));
     let kept = rebuilt(Sides::KeptWhereTheyStay).ok();
@@ -151,6 +160,35 @@ fn condition_beside(
         None => rebuilt(Sides::OfPoints)?.0,
     };
     Ok((new, found))
+}
+
+/// Sizes that are wanted inside divide edges down to this share of the size of edges, unless there is a least one. Depths near a
+/// shore go to 0, and sizes by their slope with them.
+const LEAST_ASKED: f64 = 0.125;
+
+/// The sizes that are wanted inside, if there may be any: longer edges of the boundary would keep the mesh from having them.
+fn asked(
+    domain: &Domain,
+    wanted: &Interior,
+    demands: &BoundaryDemands,
+) -> Result<Option<impl Fn(DVec2) -> f64 + Sync + use<>>, InteriorError> {
+    let Inside { points, regions, .. } = domain.inside();
+    if *wanted == Interior::default() && points.is_empty() && regions.is_empty() {
+        return Ok(None);
+    }
+    let posed = Posed::new(domain)?;
+    let mut options = posed.options(domain, wanted)?;
+    let wanted = &mut options.wanted;
+    wanted.min_size = wanted.min_size.or(demands.size.map(|size| LEAST_ASKED * size));
+    if let Some(across) = wanted.across.take() {
+        // What is narrower is closed.
+        let is_wide = |way: &SizeAt| way.size * across >= demands.narrowest;
+        let ways = sizes_across(posed.boundary(), across, 0.0).into_iter().filter(is_wide);
+        let least = wanted.min_size.unwrap_or(0.0);
+        let raised = |way: SizeAt| Size::At(SizeAt { size: way.size.max(least), ..way });
+        wanted.sizes.extend(ways.map(raised));
+    }
+    Ok(Some(sizes_asked(posed.boundary(), &options)))
 }
 
 /// Of the extent of a domain, points may be so far from where they were when a side that was read the other way round is written:
@@ -167,225 +205,57 @@ fn has_points(domain: &Domain, points: &[DVec2]) -> bool {
         && domain.placement().points().zip(points).all(is_near)
 }
 
-/// How the sides of a conditioned boundary are described.
-#[derive(Clone, Copy)]
-enum Sides {
-    /// As they were, where all their points are.
-    KeptWhereTheyStay,
-    /// By their points.
-    OfPoints,
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mindeg_domain::SizeFrom;
 
-/// The edges of a boundary with the sides and lines that they are of.
-struct Pieces<'a> {
-    domain: &'a Domain,
-    boundary: &'a PlanarBoundary,
-    /// The line, the side and the first edge of that side, of each edge of lines.
-    of_lines: Vec<(usize, &'a Side, u32)>,
-    /// The first edge of each line, then the number of edges.
-    starts: Vec<u32>,
-}
-
-impl<'a> Pieces<'a> {
-    fn new(domain: &'a Domain, boundary: &'a PlanarBoundary) -> Self {
-        let on_rings = boundary.vertex_count();
-        let (mut of_lines, mut starts) = (Vec::new(), vec![on_rings]);
-        for (line, side, segments) in domain.line_sides() {
-            starts.resize(line + 2, on_rings + segments.end);
-            starts[line + 1] = on_rings + segments.end;
-            let first = on_rings + segments.start;
-            of_lines.extend(segments.map(|_| (line, side, first)));
-        }
-        Self { domain, boundary, of_lines, starts }
+    /// A channel of 20 by 1 between two basins, one with a named end.
+    fn basins() -> Domain {
+        let text = r#"{"polygon": {"corners": [[0, 0], [8, 0], [8, 4], [28, 4], [28, 0], [36, 0], [36, 9], [28, 9], [28, 5], [8, 5],
+            [8, 9], [0, 9]]}, "sides": [S, S, S, S, S, {"intervals": 1, "name": "quay"}, S, S, S, S, S, S]}"#;
+        let text = text.replace('S', r#"{"intervals": 1}"#);
+        Domain::from_json(&text).unwrap()
     }
 
-    fn of_line(&self, edge: u32) -> Option<(usize, &'a Side, u32)> {
-        let segment = edge.checked_sub(self.boundary.vertex_count())?;
-        Some(self.of_lines[segment as usize])
+    /// The longest edge with its middle in a range of x.
+    fn longest(domain: &Domain, range: std::ops::RangeInclusive<f64>) -> f64 {
+        let points: Vec<DVec2> = domain.placement().points().collect();
+        let edges = points.iter().zip(points.iter().cycle().skip(1));
+        let near = edges.filter(|(a, b)| range.contains(&a.midpoint(**b).x));
+        near.map(|(a, b)| a.distance(*b)).fold(0.0, f64::max)
     }
 
-    fn side(&self, edge: u32) -> &'a Side {
-        match self.of_line(edge) {
-            Some((_, side, _)) => side,
-            None => &self.domain.sides()[self.domain.rings().side_of(edge)],
-        }
-    }
-
-    fn name(&self, edge: u32) -> String {
-        match self.of_line(edge) {
-            Some((line, side, _)) => self.domain.line_name(line, side),
-            None => self.domain.side_name(self.domain.rings().side_of(edge)),
-        }
-    }
-
-    fn told(&self, edge: u32) -> (&'a Option<String>, Option<LineKind>) {
-        let side = self.side(edge);
-        (&side.name, side.kind)
-    }
-
-    /// The kind that an edge is told to have on a ring: an island that joined the outer one is land.
-    fn told_on(&self, is_outer: bool, edge: u32) -> (Option<&'a str>, Option<LineKind>) {
-        match self.told(edge) {
-            (name, Some(LineKind::Island)) if is_outer => {
-                let is_plain = name.as_deref() == Some("island");
-                let name = if is_plain { Some("land") } else { name.as_deref() };
-                (name, Some(LineKind::Land))
-            }
-            (name, kind) => (name.as_deref(), kind),
-        }
-    }
-
-    /// The edge before one on its ring or line.
-    fn before(&self, edge: u32) -> Option<u32> {
-        let Some((line, ..)) = self.of_line(edge) else {
-            return Some(self.boundary.previous(edge));
+    #[test]
+    fn edges_are_no_longer_than_the_sizes_wanted_inside() {
+        let demands = BoundaryDemands { growth: 0.0, ..BoundaryDemands::of_size(4.0) };
+        let made = |wanted: &Interior, demands: &BoundaryDemands| {
+            condition(&basins(), wanted, demands, &[]).unwrap().0
         };
-        let is_closed = !self.domain.inside().lines[line].is_open();
-        let around = self.starts[line + 1] - 1;
-        match edge == self.starts[line] {
-            true => is_closed.then_some(around),
-            false => Some(edge - 1),
-        }
-    }
-
-    /// Whether a side begins with an edge.
-    fn begins(&self, edge: u32) -> bool {
-        match self.of_line(edge) {
-            Some((_, _, first)) => edge == first,
-            None => self.domain.rings().is_corner(edge),
-        }
-    }
-
-    /// The reason why a name is refused: nothing is called so.
-    fn check_names(&self, names: &[String]) -> Result<(), String> {
-        let known = Domain::names_of(std::slice::from_ref(self.domain));
-        let Some(wrong) = names.iter().find(|name| !known.contains(name)) else { return Ok(()) };
-        let known = first_names(&known);
-        Err(format!("there is no side {wrong:?} to keep; the domain has {known}"))
-    }
-
-    /// The domain with the new rings and lines.
-    fn rebuilt(
-        &self,
-        found: &Conditioned,
-        how: Sides,
-    ) -> Result<(Domain, Vec<DVec2>), mindeg_domain::DomainError> {
-        let mut places = Vec::new();
-        let mut all = Vec::new();
-        for (index, ring) in found.rings.iter().enumerate() {
-            let (ring, own) = self.ring_of(ring, true, index == 0, how);
-            places.extend(own);
-            all.push(ring);
-        }
-        let mut rings = all.into_iter();
-        let Ring { corners, sides } = rings.next().unwrap_or_default();
-        let lines = found.lines.iter().zip(&self.domain.inside().lines);
-        let inside = Inside {
-            lines: lines
-                .map(|(points, line)| self.ring_of(points, !line.is_open(), false, how).0)
-                .collect(),
-            ..self.domain.inside().clone()
-        };
-        let new = Domain::builder(Outline::Polygon(corners), sides).inside(inside);
-        let new = rings.fold(new, mindeg_domain::DomainBuilder::hole).build()?;
-        let new = match self.domain.name() {
-            Some(name) => new.named(name)?,
-            None => new,
-        };
-        let new = new.with_projection(self.domain.projection().copied());
-        let new = match self.domain.interior() {
-            Some(interior) => new.with_interior(interior.clone()),
-            None => new,
-        };
-        Ok((new, places))
-    }
-
-    /// A conditioned ring or line with its sides, from the first corner that is left, and its points in order.
-    fn ring_of(
-        &self,
-        points: &[Point],
-        is_closed: bool,
-        is_outer: bool,
-        how: Sides,
-    ) -> (Ring, Vec<DVec2>) {
-        // A corner that was cut off leaves its sides to the points beside it.
-        let is_corner = |at: usize| {
-            let (point, before) = (&points[at], &points[(at + points.len() - 1) % points.len()]);
-            point.of.is_some() && self.begins(point.edge)
-                || self.told_on(is_outer, point.edge) != self.told_on(is_outer, before.edge)
-        };
-        let first = match is_closed {
-            true => (0..points.len()).find(|at| is_corner(*at)).unwrap_or(0),
-            false => 0,
-        };
-        let order = (0..points.len()).map(|step| points[(first + step) % points.len()].at);
-        let (mut ring, order) = (Ring::default(), order.collect());
-        let mut inner: Vec<Vec<DVec2>> = Vec::new();
-        let mut edges: Vec<u32> = Vec::new();
-        for step in 0..points.len() {
-            let at = (first + step) % points.len();
-            let point = &points[at];
-            if !is_closed && step + 1 == points.len() {
-                ring.corners.push(point.at);
-            } else if step > 0 && !is_corner(at) {
-                // The first point is a corner, so there is a side.
-                inner.last_mut().into_iter().for_each(|side| side.push(point.at));
-            } else {
-                ring.corners.push(point.at);
-                inner.push(Vec::new());
-                edges.push(point.edge);
-                let (name, kind) = self.told_on(is_outer, point.edge);
-                let name = name.map(str::to_owned);
-                ring.sides.push(Side { name, kind, ..Side::count(1) });
-            }
-        }
-        for (at, points) in inner.into_iter().enumerate() {
-            let end = ring.corners.get(at + 1).copied().or_else(|| ring.corners.first().copied());
-            let ends = [Some(ring.corners[at]), end];
-            let side = &mut ring.sides[at];
-            let as_it_was = match how {
-                Sides::KeptWhereTheyStay => self.unchanged(edges[at], side, ends, &points),
-                Sides::OfPoints => None,
-            };
-            *side = as_it_was.unwrap_or_else(|| Side {
-                name: side.name.take(),
-                kind: side.kind,
-                ..Side::points(points)
-            });
-        }
-        (ring, order)
-    }
-
-    /// The side that begins with an edge, with its law and its curve, if it has these points, its ends first.
-    fn unchanged(
-        &self,
-        edge: u32,
-        told: &Side,
-        ends: [Option<DVec2>; 2],
-        inner: &[DVec2],
-    ) -> Option<Side> {
-        let old = self.side(edge);
-        if (&old.name, old.kind) != (&told.name, told.kind) || old.matches.is_some() {
-            return None;
-        }
-        let edges = self.edges_of(edge);
-        let last = edges.clone().next_back()?;
-        let starts = edges.clone().map(|edge| self.boundary.ends(edge)[0]);
-        let vertices = starts.chain([self.boundary.ends(last)[1]]);
-        let was = vertices.map(|vertex| self.boundary.point(vertex));
-        let is = ends[0].into_iter().chain(inner.iter().copied()).chain(ends[1]);
-        let is_same = edge == edges.start && edges.len() == inner.len() + 1 && was.eq(is);
-        is_same.then(|| old.clone())
-    }
-
-    /// The edges of the side that an edge is of.
-    fn edges_of(&self, edge: u32) -> Range<u32> {
-        let Some((line, _, first)) = self.of_line(edge) else {
-            let (rings, side) = (self.domain.rings(), self.domain.rings().side_of(edge));
-            return rings.corner(side)..rings.corner(side) + rings.intervals(side);
-        };
-        let of_side = &self.of_lines[(first - self.boundary.vertex_count()) as usize..];
-        let own = of_side.iter().take_while(|other| (other.0, other.2) == (line, first));
-        first..first + own.count() as u32
+        let plain = made(&Interior::default(), &demands);
+        assert!(longest(&plain, 12.0..=24.0) > 1.0);
+        let across = Interior { across: Some(2.0), ..Interior::default() };
+        let narrow = longest(&made(&across, &demands), 12.0..=24.0);
+        assert!(narrow <= 4.0 / 3.0 * 0.5 + 1e-9, "{narrow}");
+        // An eighth of the size is the least without another one, and edges are halved until they are short enough.
+        let many = Interior { across: Some(20.0), ..Interior::default() };
+        let least = longest(&made(&many, &demands), 12.0..=24.0);
+        assert!((0.25..=4.0 / 3.0 * 0.5 + 1e-9).contains(&least), "{least}");
+        let fine = Interior { min_size: Some(0.1), ..many };
+        assert!(longest(&made(&fine, &demands), 12.0..=24.0) < 0.2);
+        // A channel that is too narrow to stay asks for nothing.
+        let all = BoundaryDemands { narrowest: 1.5, ..demands };
+        let closed = made(&across, &all);
+        assert!(longest(&closed, 0.0..=36.0) > 1.5, "{closed:?}");
+        let quay = Size::From(SizeFrom {
+            from: vec!["quay".to_owned()],
+            size: 0.6,
+            growth: None,
+            until: None,
+        });
+        let wanted = Interior { sizes: vec![quay], ..Interior::default() };
+        let from_quay = made(&wanted, &demands);
+        assert!(longest(&from_quay, 36.0..=36.0) <= 0.8);
+        assert!(longest(&from_quay, 0.0..=0.0) > 1.0);
     }
 }

@@ -149,7 +149,7 @@ impl Joining {
         let has_kept = rings.iter().flatten().any(|step| step.1.is_none());
         let kept: Vec<String> = has_kept.then(|| self.kept.clone()).into_iter().collect();
         let demands = BoundaryDemands::default();
-        let (domain, _) = interior::condition(&domain, &demands, &kept)?;
+        let (domain, _) = interior::condition(&domain, &Interior::default(), &demands, &kept)?;
         let known: BTreeMap<[u64; 2], u32> = rings
             .iter()
             .flatten()
