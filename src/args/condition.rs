@@ -42,8 +42,8 @@ pub(crate) struct ConditionArguments {
     #[arg(long, value_name = "LENGTH", value_parser = length_with_unit, allow_hyphen_values = true)]
     pub(crate) size: Option<Length>,
 
-    /// Sizes that the mesh inside is to have, as in mindeg mesh: edges of the boundary get no longer, down to --min-size,
-    /// without it to an eighth of --size. At least so many edges across channels and beside islands
+    /// At least so many edges across channels and beside islands of the mesh: edges of the boundary get no longer than that takes,
+    /// as by --sizes and depths, down to --min-size, without it to an eighth of --size
     #[arg(long, value_name = "A", value_parser = across, allow_hyphen_values = true)]
     pub(crate) across: Option<f64>,
 
