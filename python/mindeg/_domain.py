@@ -25,7 +25,7 @@ class Domain(_mindeg._Domain):
 
     - an (n, 2) array, which is one ring of points, or a list of such rings: the outer one, then holes. A ring may
       repeat its first point at its end;
-    - anything with ``__geo_interface__`` that has polygons, such as what shapely and geopandas give, or a dict of GeoJSON;
+    - anything with ``__geo_interface__`` that has polygons, such as what shapely and geopandas (with a CRS) give, or a dict of GeoJSON;
     - a path to a file: JSON, or Gmsh's MSH with lines, Triangle's .poly, SVG, DXF, GeoJSON, TopoJSON, WKT, OBJ lines
       or a CSV of points, as ``docs/outlines.md`` describes them;
     - a dict or a JSON text, as ``docs/domains.md`` describes them.
@@ -230,7 +230,7 @@ def _json_of(source, options) -> tuple[str, list[tuple[str, str]] | None]:
         if isinstance(source, Mapping):
             return json.dumps(plain(source, "")), []
         return (source, None) if isinstance(source, str) else (source.to_json(), [])
-    if not is_in_degrees(source):
+    if not has_reference_system(source):
         options = {"project": "none", **options} if options or text is not None else options
     if text is not None:
         return _outline(None, text, **options), []
@@ -257,6 +257,10 @@ def path_or_text(source) -> tuple[str | os.PathLike[str] | None, str | None]:
     if len(parts) == 0:
         kind = "dict" if isinstance(source, Mapping) else type(source).__name__
         raise ValueError(f"the {kind} is empty; give at least one polygon")
+    crs = getattr(source, "crs", None)
+    if crs is not None and getattr(crs, "is_projected", False):
+        code = crs.to_epsg()
+        geometry = {**geometry, "crs": {"type": "name", "properties": {"name": f"EPSG:{code}" if code else crs.to_string()}}}
     return None, json.dumps(geometry, default=plain)
 
 
@@ -265,11 +269,10 @@ def is_domain(source) -> bool:
     return isinstance(source, (str, _mindeg._Domain)) or isinstance(source, Mapping) and "type" not in source
 
 
-def is_in_degrees(source) -> bool:
-    """Whether the coordinates of a source are degrees where they look so, as in GeoJSON; shapes and arrays have a CRS or are planar."""
-    if isinstance(source, Mapping):
-        return True
-    return bool(getattr(getattr(source, "crs", None), "is_geographic", False))
+def has_reference_system(source) -> bool:
+    """Whether a source says what its coordinates are, as GeoJSON and what has a CRS do; shapes and arrays are planar."""
+    crs = getattr(source, "crs", None)
+    return isinstance(source, Mapping) or any(getattr(crs, kind, False) for kind in ("is_geographic", "is_projected"))
 
 
 def _geometry(source) -> Mapping[str, Any] | None:

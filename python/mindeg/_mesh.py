@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from . import _mindeg
-from ._domain import Domain, is_domain, is_in_degrees, path_or_text, polygon_text, reading_of, warn
+from ._domain import Domain, has_reference_system, is_domain, path_or_text, polygon_text, reading_of, warn
 from ._options import InteriorOptions, MeshOptions, ReadingOptions, as_json, separated, shows_its_options, wish
 
 if TYPE_CHECKING:
@@ -67,7 +67,7 @@ def mesh(
         from ._sizes import given_sizes
 
         wished = wish(interior, preset, goal, {**wanted, "sizes": given_sizes(sizes, None)})
-    if path is None and not is_in_degrees(source):
+    if path is None and not has_reference_system(source):
         reading = {"project": "none", **reading}
     made, notes = _mindeg._mesh_of_file(reading_of(path, text, **reading), wished, of_model)
     warn(notes, 3)

@@ -1,7 +1,9 @@
 """What users have in hand is taken as it is meant, or refused by its name: never silently another thing."""
 
 import inspect
+import json
 import pickle
+import re
 
 import mindeg
 import numpy as np
@@ -242,6 +244,31 @@ def test_only_what_says_so_is_taken_for_degrees(recwarn):
         metres = np.ptp(mindeg.Domain(source, size=5000, project="auto").points, axis=0)
         assert 85_000 < metres[0] < 95_000 and 105_000 < metres[1] < 115_000
     assert "project: " in refusal(lambda: mindeg.Domain(degrees, size=5000, project="mercator"))
+
+
+def test_the_crs_of_a_frame_is_the_projection_of_its_domain(tmp_path):
+    """It was passed over, so that a frame in metres had no place on the globe."""
+    geopandas, shapely = pytest.importorskip("geopandas"), pytest.importorskip("shapely")
+    sea = shapely.box(236_000, 4_208_000, 326_000, 4_318_000)
+    own = "+proj=laea +lat_0=38 +lon_0=25 +datum=WGS84"
+    for crs, projection, note in [
+        ("EPSG:32635", "+proj=utm +zone=35 +datum=WGS84", "is EPSG:32635: metres, by UTM zone 35 north"),
+        ("EPSG:3035", "+proj=laea +lat_0=52 +lon_0=10 +x_0=4321000 +y_0=3210000 +ellps=GRS80", "is EPSG:3035: metres"),
+        (own, own, "metres, by Lambert's equal-area projection about 25° E, 38° N"),
+        ("EPSG:2100", None, "is EPSG:2100, which is not known here"),
+        ("ESRI:54009", None, "is \"ESRI:54009\", which is not known here"),
+    ]:
+        for source in (geopandas.GeoSeries([sea], crs=crs), geopandas.GeoDataFrame(geometry=[sea], crs=crs)):
+            with pytest.warns(UserWarning, match=re.escape(note)):
+                domain = mindeg.Domain(source, size=20_000)
+            assert json.loads(domain.to_json()).get("projection") == projection
+            # The same at once.
+            with pytest.warns(UserWarning, match=re.escape(note)):
+                mindeg.mesh(source, size=20_000, interior=True).save(tmp_path / "sea.14")
+            x = float((tmp_path / "sea.14").read_text().splitlines()[2].split()[1])
+            assert (abs(x) <= 180) == (projection is not None)
+    with pytest.raises(ValueError, match="projected already"):
+        mindeg.Domain(geopandas.GeoSeries([sea], crs="EPSG:32635"), project="laea")
 
 
 @pytest.mark.parametrize(

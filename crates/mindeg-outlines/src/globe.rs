@@ -132,7 +132,7 @@ impl Outlines {
                 ProjectionChoice::Auto => Ok(self),
                 ProjectionChoice::Given(wanted) if wanted == own => Ok(self),
                 _ => Err(wrong(format!(
-                    "its \"crs\" says that it is projected already, by {} ({own}): leave out --project",
+                    "the file says that it is projected already, by {} ({own}): leave out --project",
                     own.name()
                 ))),
             };

@@ -27,6 +27,7 @@
 
 mod antimeridian;
 mod choice;
+mod crs;
 mod csv;
 mod curve;
 mod domain;

@@ -1,7 +1,7 @@
 //! Well-known text: `POLYGON`, `MULTIPOLYGON` and `GEOMETRYCOLLECTION`, one or more in a file.
 //!
-//! A reference system before a geometry (`SRID=4326;`) is passed over. Z and M values are left
-//! out; points and lines are those inside polygons.
+//! A code of EPSG before a geometry (`SRID=32635;`) is the reference system of all. Z and M values are left out; points and
+//! lines are those inside polygons.
 //!
 //! The crate `wkt` reads one geometry, without a reference system, recurses as deep as the text says, and
 //! gives no position in its errors.
@@ -9,6 +9,7 @@
 use std::collections::BTreeMap;
 
 use glam::DVec2;
+use mindeg_domain::Projection;
 
 use super::outline::{DrawnRing, Feature, Outlines};
 use super::text::{counted_all, number, quoted, text_of};
@@ -29,6 +30,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<Outlines, OutlineError> {
         at: 0,
         skipped: BTreeMap::new(),
         heights: false,
+        srid: None,
+        reaches: DVec2::ZERO,
         outlines: Outlines::default(),
     };
     reader.skip_separators();
@@ -45,6 +48,10 @@ struct Reader<'a> {
     at: usize,
     skipped: BTreeMap<&'static str, usize>,
     heights: bool,
+    /// The code of the reference system, as the text has it.
+    srid: Option<&'a str>,
+    /// The largest absolute values of the first and the second coordinate.
+    reaches: DVec2,
     outlines: Outlines,
 }
 
@@ -103,8 +110,7 @@ impl<'a> Reader<'a> {
         let start = self.at;
         let mut keyword = self.word().to_ascii_uppercase();
         if keyword == "SRID" {
-            let end = self.rest().find(';').ok_or_else(|| self.unexpected("\";\" after SRID=…"))?;
-            self.at += end + 1;
+            self.srid(start)?;
             keyword = self.word().to_ascii_uppercase();
         }
         // The mark of the dimensions may stand apart, or be written together with the keyword.
@@ -164,6 +170,19 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// The rest of `SRID=32635;`, which began at `start`.
+    fn srid(&mut self, start: usize) -> Result<(), OutlineError> {
+        let end = self.rest().find(';').ok_or_else(|| self.unexpected("\";\" after SRID=…"))?;
+        let code = self.rest()[..end].trim_start_matches('=').trim();
+        if let Some(other) = self.srid.replace(code).filter(|other| *other != code) {
+            let [other, code] = [other, code].map(quoted);
+            let problem = format!("found the SRID {code} after {other}; give all one SRID");
+            return Err(self.error_at(start, problem));
+        }
+        self.at += end + 1;
+        Ok(())
+    }
+
     /// A list in parentheses, with commas between.
     fn listed(
         &mut self,
@@ -210,6 +229,7 @@ impl<'a> Reader<'a> {
 
     fn point(&mut self) -> Result<DVec2, OutlineError> {
         let point = DVec2::new(self.number()?, self.number()?);
+        self.reaches = self.reaches.max(point.abs());
         for _ in 0..2 {
             self.skip_blanks();
             if !self.rest().starts_with([',', ')']) {
@@ -248,6 +268,14 @@ impl<'a> Reader<'a> {
             notes.push("left out the Z and M values of points".to_owned());
         }
         self.outlines.inside.drop_repeated_points();
+        // PostGIS writes 0 where there is none.
+        if let Some(srid) = self.srid.filter(|srid| *srid != "0") {
+            let is_in_degrees = self.reaches.cmplt(DVec2::new(180.0 + 1e-9, 90.0 + 1e-9)).all();
+            let name = format!("EPSG:{srid}");
+            self.outlines.take_reference_system("SRID", &name, is_in_degrees);
+            let is_of_degrees = srid.parse().is_ok_and(Projection::is_of_degrees);
+            self.outlines.is_geographic = is_in_degrees && is_of_degrees;
+        }
         Ok(self.outlines)
     }
 }
@@ -324,6 +352,50 @@ mod tests {
                 "{text}"
             );
         }
+    }
+
+    /// The code was passed over, so that the places of a file in metres had no degrees.
+    #[test]
+    fn a_code_before_a_geometry_is_its_reference_system() {
+        let metres = "POLYGON((200000 4200000,300000 4200000,200000 4300000))";
+        let degrees = "POLYGON((24 38,25 38,24 39))";
+        for (text, zone, is_geographic, note) in [
+            (
+                format!("SRID=32635;{metres}"),
+                Some("UTM zone 35 north"),
+                false,
+                Some("its SRID is EPSG:32635: metres, by"),
+            ),
+            (format!("SRID=4326;{degrees}"), None, true, None),
+            (format!("SRID=0;{degrees}"), None, false, None),
+            (
+                format!("SRID=2100;{metres}"),
+                None,
+                false,
+                Some("its SRID is EPSG:2100, which is not known here"),
+            ),
+            (
+                format!("SRID=x;{metres}"),
+                None,
+                false,
+                Some("its SRID is \"EPSG:x\", which is not known here"),
+            ),
+            (
+                format!("SRID=32635;{degrees}"),
+                None,
+                false,
+                Some("but the coordinates are within those of degrees"),
+            ),
+        ] {
+            let outlines = read(&text).unwrap();
+            let name = outlines.projection.map(|projection| projection.name());
+            assert_eq!((name.as_deref(), outlines.is_geographic), (zone, is_geographic), "{text}");
+            assert_eq!(outlines.notes.len(), usize::from(note.is_some()), "{text}");
+            assert!(outlines.notes.iter().all(|told| note.is_some_and(|it| told.contains(it))));
+        }
+        let two = format!("SRID=32635;{metres}\nSRID=32634;{metres}");
+        let told = "line 2, column 1: found the SRID \"32634\" after \"32635\"; give all one SRID";
+        assert_eq!(read(&two).unwrap_err(), told);
     }
 
     trait Strings {

@@ -3,7 +3,6 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use glam::DVec2;
-use mindeg_domain::Projection;
 use mindeg_mesh::LineKind;
 use serde_json::{Map, Value};
 
@@ -247,28 +246,12 @@ impl Reader<'_> {
         name
     }
 
-    /// Takes the projection that the member `crs` of a document names: GeoJSON of 2008 had it, and GDAL writes it.
-    fn project(&mut self, document: &Value) {
-        let name = document.pointer("/crs/properties/name").and_then(Value::as_str);
-        let Some(code) = name.and_then(epsg) else { return };
-        if Projection::is_of_degrees(code) {
-            return;
+    /// Takes the reference system that the member `crs` of a document names: GeoJSON of 2008 had it, and GDAL writes it.
+    fn take_crs(&mut self, document: &Value) {
+        let is_in_degrees = self.is_in_degrees();
+        if let Some(name) = document.pointer("/crs/properties/name").and_then(Value::as_str) {
+            self.outlines.take_reference_system("\"crs\"", name, is_in_degrees);
         }
-        if self.is_in_degrees() {
-            self.outlines.notes.push(format!(
-                "its \"crs\" is EPSG:{code}, but the coordinates are within those of degrees of longitude and latitude: left out"
-            ));
-            return;
-        }
-        let code = format!("EPSG:{code}");
-        let parsed: Result<Projection, _> = code.parse();
-        self.outlines.notes.push(match &parsed {
-            Ok(projection) => format!("its \"crs\" is {code}: metres, by {}", projection.name()),
-            Err(_) => format!(
-                "its \"crs\" is {code}, which is not known here: the coordinates are taken as planar, and of no place on the globe"
-            ),
-        });
-        self.outlines.projection = parsed.ok();
     }
 
     fn is_in_degrees(&self) -> bool {
@@ -276,7 +259,7 @@ impl Reader<'_> {
     }
 
     pub(super) fn end(mut self, document: &Value) -> Result<Outlines, OutlineError> {
-        self.project(document);
+        self.take_crs(document);
         self.outlines.is_geographic = self.is_in_degrees();
         self.outlines.inside.drop_repeated_points();
         let marked = std::mem::take(&mut self.marked);
@@ -323,13 +306,6 @@ impl Reader<'_> {
         }
         Ok(self.outlines)
     }
-}
-
-/// The code of EPSG in a name, such as EPSG:32635 or urn:ogc:def:crs:EPSG::32635.
-fn epsg(name: &str) -> Option<u32> {
-    let mut words = name.rsplit(':');
-    let code = words.next()?.parse().ok()?;
-    words.any(|word| word.eq_ignore_ascii_case("epsg")).then_some(code)
 }
 
 fn as_name(value: &Value) -> Option<String> {
