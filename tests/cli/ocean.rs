@@ -920,6 +920,46 @@ fn one_polygon_of_a_file_around_the_globe_is_projected() {
     }
 }
 
+/// An index, and the label of one of several, chose only among what a repair had made of the whole world.
+#[test]
+fn one_repaired_polygon_of_a_file_around_the_globe_is_projected() {
+    let ring = |x: f64, y: f64, width: f64| {
+        json!([[x, y], [x + width, y], [x + width, y + 1.0], [x, y + 1.0], [x, y]])
+    };
+    let bow = json!([[-99, 10], [-98, 12], [-98, 10], [-99, 12], [-99, 10]]);
+    let feature = |name: Option<&str>, rings: &[serde_json::Value]| {
+        let parts: Vec<_> = rings.iter().map(|ring| json!([ring])).collect();
+        let geometry = json!({"type": "MultiPolygon", "coordinates": parts});
+        json!({"type": "Feature", "properties": {"name": name}, "geometry": geometry})
+    };
+    let features = [
+        feature(Some("there"), &[bow]),
+        feature(Some("isles"), &[ring(-150.0, -30.0, 1.0), ring(24.0, 38.0, 1.5)]),
+        feature(None, &[ring(24.0, 40.0, 2.0)]),
+    ];
+    let world = json!({"type": "FeatureCollection", "features": features}).to_string();
+    let of = |wanted: &str, command: &[&str]| {
+        let words = [command, &["-", "--project", "auto", "--json", "--feature", wanted]].concat();
+        mindeg_reading(&words, world.as_bytes())
+    };
+    for (wanted, zone, label, area) in [
+        ("2", "UTM zone 14 north", "there 2", 6.04e9),
+        ("isles 2", "UTM zone 35 north", "isles 2", 1.45e10),
+        ("5", "UTM zone 35 north", "", 1.87e10),
+    ] {
+        let one = of(wanted, &["domain", "--repair"]);
+        assert!(one.errors.contains(zone), "{wanted}: {}", one.errors);
+        let told = &one.json()[0];
+        assert_eq!(told["name"].as_str().unwrap_or_default(), label);
+        let found = told["area"].as_f64().expect("an area");
+        assert!((found / area - 1.0).abs() < 0.02, "{wanted}: {found}");
+        let changed = of(wanted, &["condition", "--limit", "20"]);
+        assert!(changed.errors.contains(zone), "{wanted}: {}", changed.errors);
+        changed.json();
+    }
+    of("6", &["condition", "--limit", "20"]).refuses(&["an index from 1 to 5: 1 (there 1)"]);
+}
+
 /// A ring that crosses itself is two polygons once it is repaired, and an index chooses among these.
 #[test]
 fn an_index_counts_the_polygons_that_a_repair_makes() {

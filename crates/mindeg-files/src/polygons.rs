@@ -106,8 +106,14 @@ impl PolygonFile {
         let is_name = |wanted: &&str| {
             outlines.features.iter().any(|feature| feature.name.as_deref() == Some(*wanted))
         };
-        let before = wanted.filter(|wanted| !options.repair || is_name(wanted));
-        let chosen = before.map(|wanted| outlines.choose(wanted)).transpose().map_err(wrong)?;
+        let (mut chosen, mut repaired) = (None, None);
+        if let Some(wanted) = wanted.filter(|wanted| !options.repair || is_name(wanted)) {
+            chosen = Some(outlines.choose(wanted).map_err(wrong)?);
+        } else if let Some(wanted) =
+            wanted.filter(|_| is_projected && outlines.projection.is_none())
+        {
+            repaired = Some(outlines.choose_repaired(wanted, options.fill_rule).map_err(wrong)?);
+        }
         let is_in_degrees = options.project.is_none() && outlines.is_in_degrees();
         if let Some(choice) = options.project {
             outlines = outlines.projected(choice).map_err(wrong)?;
@@ -139,8 +145,12 @@ impl PolygonFile {
                 session.dashes()
             ));
         }
-        let mut polygons = match chosen {
-            Some(polygons) if !options.repair => {
+        let mut polygons = match (chosen, &repaired) {
+            (_, Some((polygon, before))) => {
+                let made = features.into_iter().nth(*before);
+                made.map(|feature| Polygon { feature, ..polygon.clone() }).into_iter().collect()
+            }
+            (Some(polygons), _) if !options.repair => {
                 let pairs = polygons.into_iter().zip(features);
                 pairs.map(|(polygon, feature)| Polygon { feature, ..polygon }).collect()
             }
@@ -153,7 +163,9 @@ impl PolygonFile {
             stem.clone_into(&mut polygon.label);
         }
         if let Some(wanted) = wanted.filter(|_| options.repair) {
-            polygons = outlines::chosen(polygons, wanted).map_err(wrong)?;
+            if repaired.is_none() {
+                polygons = outlines::chosen(polygons, wanted).map_err(wrong)?;
+            }
             inside.keep_within(polygons.iter().map(|polygon| &polygon.feature));
         }
         Ok(Self {

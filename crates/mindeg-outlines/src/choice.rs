@@ -2,8 +2,10 @@
 
 use std::collections::BTreeMap;
 use std::fmt;
+use std::iter::repeat_n;
 
-use super::outline::{Feature, Outlines};
+use super::globe::ProjectionChoice;
+use super::outline::{Feature, FillRule, Outlines};
 use super::text::clean;
 use crate::error::OutlineError;
 
@@ -87,6 +89,40 @@ impl Outlines {
         self.end_shape();
         self.inside.keep_within(&self.features);
         Ok(polygons)
+    }
+
+    /// Keeps the polygon of degrees of which a repair in the plane makes the one that a text names, by its label or its index among
+    /// all that repairs make, and what is inside it. Gives the label and the index, and how many polygons of the same come before.
+    ///
+    /// # Errors
+    ///
+    /// The error of [`chosen`].
+    pub fn choose_repaired(
+        &mut self,
+        wanted: &str,
+        rule: Option<FillRule>,
+    ) -> Result<(Polygon, usize), OutlineError> {
+        let features = std::mem::take(&mut self.features);
+        // Each in a plane of its own: no plane has all of a file of the world.
+        let made_of = |feature: &Feature| {
+            let mut alone = Self { features: vec![feature.clone()], ..Self::default() };
+            alone.end_shape();
+            let repaired = alone.projected(ProjectionChoice::Auto)?.repaired(rule)?;
+            Ok::<usize, OutlineError>(repaired.features.len())
+        };
+        let counts = features.iter().map(|feature| made_of(feature).unwrap_or(1));
+        let owners: Vec<usize> =
+            counts.enumerate().flat_map(|(owner, count)| repeat_n(owner, count)).collect();
+        let named =
+            |&owner: &usize| Feature { name: features[owner].name.clone(), ..Feature::default() };
+        let polygon = chosen(labelled(owners.iter().map(named).collect()), wanted)?.swap_remove(0);
+        let owner = owners[polygon.index - 1];
+        let before = owners[..polygon.index - 1].iter().filter(|&&other| other == owner).count();
+        self.features = vec![features[owner].clone()];
+        self.shapes.clear();
+        self.end_shape();
+        self.inside.keep_within(&self.features);
+        Ok((polygon, before))
     }
 }
 
