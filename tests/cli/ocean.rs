@@ -920,6 +920,37 @@ fn one_polygon_of_a_file_around_the_globe_is_projected() {
     }
 }
 
+/// They were in metres of the plane, which no map program shows beside such a file.
+#[test]
+fn faults_of_projected_outlines_are_told_in_degrees() {
+    let square =
+        |x: f64, y: f64| json!([[x, y], [x + 1.0, y], [x + 1.0, y + 1.0], [x, y + 1.0], [x, y]]);
+    let polygon = |rings: &[serde_json::Value]| json!({"type": "Polygon", "coordinates": rings});
+    let two = json!({"type": "MultiPolygon", "coordinates": [[square(24.0, 38.0)], [square(24.5, 38.5)]]});
+    let bow = json!([[24, 38], [25.5, 39], [25, 38], [24, 39], [24, 38]]);
+    let hole = json!([[27, 38], [27.1, 38], [27, 38.1], [27, 38]]);
+    for (outline, place) in [
+        (polygon(&[bow]), "cross near longitude 24.59"),
+        (
+            polygon(&[square(24.0, 38.0), hole]),
+            "with its first corner at longitude 27, latitude 38;",
+        ),
+        (two, "error: standard input: longitude 25.00"),
+    ] {
+        let text = outline.to_string();
+        let words = ["mesh", "-", "--interior", "--project", "auto", "-o", "-", "--format", "obj"];
+        let run = mindeg_reading(words, text.as_bytes());
+        assert_eq!(run.code, Some(2), "{run:?}");
+        assert!(run.errors.contains(place), "{}", run.errors);
+        // Planar coordinates are the file's own.
+        let kept = mindeg_reading(
+            ["mesh", "-", "--interior", "-o", "-", "--format", "obj"],
+            text.as_bytes(),
+        );
+        assert!(!kept.errors.contains("longitude 2"), "{}", kept.errors);
+    }
+}
+
 /// An index, and the label of one of several, chose only among what a repair had made of the whole world.
 #[test]
 fn one_repaired_polygon_of_a_file_around_the_globe_is_projected() {

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use glam::DVec2;
 use mindeg_mesh::planar::InRing;
 
 /// An error in the description of a domain or a model, and its place.
@@ -19,7 +20,7 @@ use mindeg_mesh::planar::InRing;
 /// assert_eq!(error.place.to_string(), "sides[2].size");
 /// assert_eq!(error.message, "side 3: the size is 0.0; it must be a finite number above 0");
 /// ```
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{message}{}", also(more.iter().map(|it| &*it.message)))]
 #[non_exhaustive]
 pub struct DomainError {
@@ -27,6 +28,8 @@ pub struct DomainError {
     pub place: Place,
     /// The error and how to fix it.
     pub message: String,
+    /// The places of the plane that the message tells, as [`place`](fn@mindeg_mesh::place) writes them.
+    pub told: Vec<DVec2>,
     /// Whether points or edges meet that should be apart; a repair of the rings may fix it.
     pub is_touch: bool,
     /// The other faults of the rings, lines and points.
@@ -105,7 +108,8 @@ impl Place {
 
     /// A fault of this value.
     pub(crate) fn error(self, message: impl Into<String>) -> DomainError {
-        DomainError { place: self, message: message.into(), is_touch: false, more: Vec::new() }
+        let (message, told, more) = (message.into(), Vec::new(), Vec::new());
+        DomainError { place: self, message, told, is_touch: false, more }
     }
 
     /// Points or edges that meet.
@@ -115,6 +119,11 @@ impl Place {
 }
 
 impl DomainError {
+    /// The same error, whose message tells these places.
+    pub(crate) fn telling(self, told: impl IntoIterator<Item = DVec2>) -> Self {
+        Self { told: told.into_iter().collect(), ..self }
+    }
+
     /// The same error, seen from the value that contains this one.
     pub(crate) fn inside(mut self, mut whole: Place) -> Self {
         let more = self.more.into_iter().map(|error| error.inside(whole.clone())).collect();

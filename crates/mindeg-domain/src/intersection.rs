@@ -28,16 +28,19 @@ fn error(fault: BoundaryFault, points: &[DVec2], rings: &Rings, joined: &Joined)
     let vertex = |at: InRing| rings.ring(at.ring).start + at.index as u32;
     let name = |at| names.point_name(vertex(at));
     let edge_name = |at| names.edge_name(vertex(at));
-    let position = |at| format!("at {}", mindeg_mesh::place(points[vertex(at) as usize]));
-    let first = |ring| format!("with its first corner {}", position(InRing { ring, index: 0 }));
-    let (place, message) = match fault {
+    let point = |at| points[vertex(at) as usize];
+    let position = |at| format!("at {}", mindeg_mesh::place(point(at)));
+    let start = |ring| InRing { ring, index: 0 };
+    let first = |ring| format!("with its first corner {}", position(start(ring)));
+    let (place, message, told) = match fault {
         BoundaryFault::SamePoint([Ring(first), Ring(second)]) => {
+            let told = point(second);
             let (first, name, at) = (name(first), name(second), position(second));
             let message = format!(
                 "{name} is {at}, where {first} is too; a boundary passes each point once: move one of \
                  them, or split the ring there"
             );
-            (names.point_place(vertex(second)), message)
+            (names.point_place(vertex(second)), message, Some(told))
         }
         BoundaryFault::Touch { vertex: Ring(at), edge: Ring(edge) } => {
             let message = format!(
@@ -46,7 +49,7 @@ fn error(fault: BoundaryFault, points: &[DVec2], rings: &Rings, joined: &Joined)
                 position(at),
                 edge_name(edge)
             );
-            (names.point_place(vertex(at)), message)
+            (names.point_place(vertex(at)), message, Some(point(at)))
         }
         BoundaryFault::FoldsBack(at) => {
             let message = format!(
@@ -54,12 +57,13 @@ fn error(fault: BoundaryFault, points: &[DVec2], rings: &Rings, joined: &Joined)
                 name(at),
                 position(at)
             );
-            (names.point_place(vertex(at)), message)
+            (names.point_place(vertex(at)), message, Some(point(at)))
         }
         BoundaryFault::Crossing([Ring(first), Ring(second)]) => {
             let edges = [first, second];
             let ends = |at| [vertex(at), rings.next(vertex(at))].map(|v| points[v as usize]);
-            let near = mindeg_mesh::place(crossing(edges.map(ends)));
+            let told = crossing(edges.map(ends));
+            let near = mindeg_mesh::place(told);
             let [first, second] = edges.map(edge_name);
             let message = format!(
                 "{first} and {second} cross near {near}; list the points in the order in \
@@ -70,32 +74,32 @@ fn error(fault: BoundaryFault, points: &[DVec2], rings: &Rings, joined: &Joined)
                 0 => Place::side(side),
                 _ => names.point_place(vertex(edges[1])),
             };
-            (place, message)
+            (place, message, Some(told))
         }
         BoundaryFault::HoleInHole { hole, around } => {
             let first = first(hole);
             let message =
                 format!("hole {hole} lies inside hole {around}, {first}; drop one of them");
-            (Place::ring(hole), message)
+            (Place::ring(hole), message, Some(point(start(hole))))
         }
         BoundaryFault::HoleOutside { hole } => {
             let first = first(hole);
             let message = format!(
                 "hole {hole} lies outside the outline, {first}; move it inside, or drop it"
             );
-            (Place::ring(hole), message)
+            (Place::ring(hole), message, Some(point(start(hole))))
         }
         BoundaryFault::HoleAround { hole } => {
             let message = format!(
                 "the outline lies inside hole {hole}; give the outer ring first, and the holes inside \
                  it"
             );
-            (Place::ring(hole), message)
+            (Place::ring(hole), message, None)
         }
         // Rings are long enough, their points finite, and either way round is taken.
-        fault => (Place::default(), format!("{fault}; move the point")),
+        fault => (Place::default(), format!("{fault}; move the point"), None),
     };
-    place.touch(message)
+    place.touch(message).telling(told)
 }
 
 /// The error for a fault of a line or a point; `None` if it is of rings alone.
@@ -130,11 +134,11 @@ fn of_line(
         BoundaryPlace::Line { line, .. } => Some(Place::key("lines").then(line)),
         BoundaryPlace::Point(index) => Some(Place::key("points").then(joined.given[index])),
     };
-    let (places, message) = match fault {
+    let (places, message, told) = match fault {
         BoundaryFault::Crossing(edges) => {
-            let near = crossing(edges.map(|edge| [0, 1].map(|step| position(vertex(edge, step)))));
+            let told = crossing(edges.map(|edge| [0, 1].map(|step| position(vertex(edge, step)))));
             let [first, second] = edges.map(name);
-            let near = mindeg_mesh::place(near);
+            let near = mindeg_mesh::place(told);
             let message = match edges.map(|edge| matches!(edge, Ring(_))) {
                 [true, _] | [_, true] => format!(
                     "{first} and {second} cross near {near}, where the line leaves the domain; end it there, or keep it inside"
@@ -143,42 +147,46 @@ fn of_line(
                     "{first} and {second} cross near {near}; end the line there, or move it"
                 ),
             };
-            (edges, message)
+            (edges, message, told)
         }
         BoundaryFault::Overlap(edges) => {
             let [first, second] = edges.map(name);
-            let near = mindeg_mesh::place(position(vertex(edges[1], 0)));
+            let told = position(vertex(edges[1], 0));
+            let near = mindeg_mesh::place(told);
             let message =
                 format!("{first} and {second} lie on each other near {near}; drop one of them");
-            (edges, message)
+            (edges, message, told)
         }
         BoundaryFault::Touch { vertex: touching, edge } => {
+            let told = position(vertex(touching, 0));
             let message = format!(
                 "{} touches {} at {}; end a line there, or give the point to both",
                 point_name(touching),
                 name(edge),
-                mindeg_mesh::place(position(vertex(touching, 0)))
+                mindeg_mesh::place(told)
             );
-            ([edge, touching], message)
+            ([edge, touching], message, told)
         }
         BoundaryFault::SamePoint(both) => {
             let [first, second] = both.map(point_name);
-            let near = mindeg_mesh::place(position(vertex(both[1], 0)));
+            let told = position(vertex(both[1], 0));
+            let near = mindeg_mesh::place(told);
             let message = format!(
                 "{first} and {second} have the same point {near}; end a line there, or move one of them"
             );
-            (both, message)
+            (both, message, told)
         }
         BoundaryFault::Outside(place) => {
-            let near = mindeg_mesh::place(position(vertex(place, 0)));
+            let told = position(vertex(place, 0));
+            let near = mindeg_mesh::place(told);
             let message =
                 format!("{} leaves the domain near {near}; keep it inside, off holes", name(place));
-            ([place; 2], message)
+            ([place; 2], message, told)
         }
         _ => return None,
     };
     let place = places.iter().rev().find_map(place)?;
-    Some(place.touch(message))
+    Some(place.touch(message).telling([told]))
 }
 
 /// Names the vertices and edges of a boundary by their sides.

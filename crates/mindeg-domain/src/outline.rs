@@ -110,7 +110,7 @@ fn check_distance(ring: usize, corners: &[DVec2], first: usize) -> Result<(), Do
     let (start, end) = (corners[first], corners[second]);
     let second = InRing { ring, index: second };
     let both = format!("corners {} and {}", first + 1, second.named_last());
-    let error = |message| Err(Place::corner(second).touch(message));
+    let error = |message| Err(Place::corner(second).touch(message).telling([start]));
     if start == end {
         let whole = if ring == 0 { "outline" } else { "hole" };
         return error(format!(

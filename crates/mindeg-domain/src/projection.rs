@@ -177,6 +177,13 @@ impl Projection {
         DVec2::new(longitude + turn, radians.y.to_degrees())
     }
 
+    /// A place in degrees as a sentence has it, to a tenth of a metre: "longitude 24.5, latitude 38.25".
+    #[must_use]
+    pub fn in_words(degrees: DVec2) -> String {
+        let [x, y] = degrees.to_array().map(|it| (it * 1e6).round() / 1e6);
+        format!("longitude {x}, latitude {y}")
+    }
+
     /// A length in the plane over that on the ground, at a point given in degrees, along the meridian.
     #[must_use]
     pub fn scale(&self, degrees: DVec2) -> f64 {

@@ -57,6 +57,8 @@ pub struct PolygonFile {
     kinds: SideKinds,
     name: Option<String>,
     projection: Option<Projection>,
+    /// The projection, if the file has degrees.
+    of_degrees: Option<Projection>,
     division: Division,
     is_repaired: bool,
     dashes: &'static str,
@@ -114,6 +116,7 @@ impl PolygonFile {
         {
             repaired = Some(outlines.choose_repaired(wanted, options.fill_rule).map_err(wrong)?);
         }
+        let was_in_degrees = outlines.projection.is_none();
         let is_in_degrees = options.project.is_none() && outlines.is_in_degrees();
         if let Some(choice) = options.project {
             outlines = outlines.projected(choice).map_err(wrong)?;
@@ -183,6 +186,7 @@ impl PolygonFile {
                 .or_else(|| input.path().and_then(plain_stem).map(str::to_owned)),
             is_in_degrees,
             projection,
+            of_degrees: projection.filter(|_| was_in_degrees),
             division: options.division.clone(),
             is_repaired: options.repair,
             dashes: session.dashes(),
@@ -214,6 +218,7 @@ impl PolygonFile {
             .and_then(|domain| with_kinds(domain, &self.kinds))
             .map(|domain| domain.with_projection(self.projection));
         let domain = domain.map_err(|error| {
+            let error = self.as_in_file(error);
             let said = error.to_string();
             let is_well = || polygon.domain(&Division::default()).is_ok();
             FileError::wrong(self.with_hint(said, error.is_touch, is_well)).of(&polygon.name())
@@ -266,6 +271,7 @@ impl PolygonFile {
             Ok((domains, notes))
         });
         let (domains, notes) = maps.map_err(|error| {
+            let error = self.as_in_file(error);
             let said = error.to_string();
             let is_well = || {
                 let whole = Division::default();
@@ -275,6 +281,14 @@ impl PolygonFile {
         })?;
         self.check_sizes(&domains).map_err(|error| error.of(&self.file))?;
         Ok((domains, notes))
+    }
+
+    /// An error with its places as the file has them.
+    fn as_in_file(&self, error: OutlineError) -> OutlineError {
+        match &self.of_degrees {
+            Some(projection) => error.in_degrees(projection),
+            None => error,
+        }
     }
 
     /// What is wrong, with what to do. Whether the outline itself is well, and edges of the size asked for are the cause, is

@@ -57,12 +57,12 @@ impl Polygon {
             Ok([map]) if !self.label.is_empty() => Ok(map.named(&*self.label)?),
             Ok([map]) => Ok(map),
             Err(parts) if parts.len() > 1 => {
-                let at = self
-                    .touching_place()
-                    .map_or_else(String::new, |at| format!(", as at {}", shown(at)));
+                let told = self.touching_place();
+                let at = told.map_or_else(String::new, |at| format!(", as at {}", shown(at)));
                 let count = parts.len();
                 let problem = format!("rings touch{at}, so that it falls into {count} parts");
-                Err(OutlineError { is_touch: true, ..OutlineError::place("", problem) })
+                let error = OutlineError::place("", problem).telling(told);
+                Err(OutlineError { is_touch: true, ..error })
             }
             Err(_) => self.feature.domain(division),
         }

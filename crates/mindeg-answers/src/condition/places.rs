@@ -55,13 +55,10 @@ impl ShortestEdge {
     }
 }
 
-/// A place as a sentence has it: degrees to a tenth of a metre.
+/// A place as a sentence has it.
 pub(crate) fn place_in_words(degrees: Option<[f64; 2]>, at: [f64; 2]) -> String {
     match (degrees, at) {
-        (Some(degrees), _) => {
-            let [x, y] = degrees.map(|it| (it * 1e6).round() / 1e6);
-            format!("longitude {x}, latitude {y}")
-        }
+        (Some(degrees), _) => Projection::in_words(degrees.into()),
         (None, at) => numbers::place(at),
     }
 }

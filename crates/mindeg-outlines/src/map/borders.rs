@@ -71,13 +71,11 @@ pub(super) fn of_polygons(
                 let is_both = border.beside == [Some(region); 2];
                 if other == Some(region) || is_both {
                     let problem = format!("{} runs along it twice", name(region));
-                    return Err(OutlineError {
-                        is_touch: true,
-                        ..OutlineError::place(place(), problem)
-                    });
+                    let error = OutlineError::place(place(), problem).telling([start, end]);
+                    return Err(OutlineError { is_touch: true, ..error });
                 }
                 if let Some(other) = other {
-                    return Err(overlap(place(), name(other), name(region)));
+                    return Err(overlap(place(), name(other), name(region)).telling([start, end]));
                 }
             }
         }

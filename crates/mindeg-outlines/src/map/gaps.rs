@@ -82,7 +82,7 @@ impl Gap {
             number(self.length),
             number(2.0 * self.width)
         );
-        OutlineError::place(shown(self.at), problem)
+        OutlineError::place(shown(self.at), problem).telling([self.at])
     }
 }
 

@@ -208,4 +208,5 @@ fn part_touching_holes(plane: &Plane<'_>, part: &mut Part) -> Result<(), Outline
 fn too_thin(what: &str, at: DVec2) -> OutlineError {
     let place = format!("the {what} at {}", shown(at));
     OutlineError::place(place, "it is too thin for 64-bit floats; simplify it, or drop it")
+        .telling([at])
 }

@@ -137,7 +137,8 @@ impl<'a> Plane<'a> {
                 let [from, to] = self.ends(twice).map(shown);
                 let place = format!("the edge from {from} to {to}");
                 let problem = "a line runs along another one, or along a border";
-                return Err(OutlineError { is_touch: true, ..OutlineError::place(place, problem) });
+                let error = OutlineError::place(place, problem).telling(self.ends(twice));
+                return Err(OutlineError { is_touch: true, ..error });
             }
             return Err(self.crossing(self.ends(twice)[0], twice, twice));
         }
@@ -170,8 +171,9 @@ impl<'a> Plane<'a> {
                 let [from, to] = ends.map(shown);
                 let problem =
                     format!("it lies on the edge from {from} to {to}, which has no vertex there");
-                let place = OutlineError::place(shown(all[vertex as usize]), problem);
-                return Err(OutlineError { is_touch: true, ..place });
+                let at = all[vertex as usize];
+                let error = OutlineError::place(shown(at), problem).telling([at, ends[0], ends[1]]);
+                return Err(OutlineError { is_touch: true, ..error });
             }
         }
         Ok(())
@@ -192,7 +194,7 @@ impl<'a> Plane<'a> {
             (None, None) => "a line meets another".to_owned(),
         };
         let problem = format!("{meets} there, and one of them has no point there");
-        OutlineError { is_touch: true, ..OutlineError::place(shown(at), problem) }
+        OutlineError { is_touch: true, ..OutlineError::place(shown(at), problem).telling([at]) }
     }
 
     /// Refuses regions that overlap, and lines outside all regions.
@@ -219,7 +221,7 @@ impl<'a> Plane<'a> {
             let name = |region: u32| &*self.names[region as usize];
             let others = self.regions_around(middle);
             let mut others = others.into_iter().filter(|&other| !own.contains(&Some(other)));
-            return Err(match (own[0].or(own[1]), others.next()) {
+            let error = match (own[0].or(own[1]), others.next()) {
                 (None, Some(_)) | (None, None) if is_line && winding < 1 => OutlineError::place(
                     place,
                     "this line lies outside all regions; drop it, or draw a region around it",
@@ -230,7 +232,8 @@ impl<'a> Plane<'a> {
                     OutlineError { is_touch: true, ..OutlineError::place(place, problem) }
                 }
                 (None, _) => OutlineError::place(place, "regions overlap there"),
-            });
+            };
+            return Err(error.telling([from, to]));
         }
         Ok(())
     }
