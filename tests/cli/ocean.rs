@@ -951,6 +951,35 @@ fn faults_of_projected_outlines_are_told_in_degrees() {
     }
 }
 
+/// GeoJSON was read as if its edges were straight in degrees, and got points that the domain in JSON does not have.
+#[test]
+fn a_coast_in_geojson_is_the_one_in_json() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = |name: &str| folder.path().join(name).display().to_string();
+    let ring = [[24.0, 38.0], [29.0, 38.0], [28.8, 38.7], [29.0, 39.5], [24.3, 39.4], [24.0, 38.0]];
+    let island = [[26.0, 38.5], [26.1, 39.0], [27.0, 38.6], [26.0, 38.5]];
+    let sea =
+        json!({"type": "Polygon", "coordinates": [ring.to_vec(), island.to_vec()]}).to_string();
+    for plane in ["auto", "stereographic"] {
+        let boundary = |coast: &str| -> Vec<[i64; 2]> {
+            let changed = ["condition", "-", "--project", plane, "-q", "-o", &at(coast)];
+            mindeg_reading(changed, sea.as_bytes()).text();
+            let project: &[&str] = if coast == "sea.json" { &[] } else { &["--project", "auto"] };
+            let words = ["mesh", &at(coast), "--interior", "-q", "-o", &at("sea.14")];
+            mindeg([&words[..], project].concat()).text();
+            let Fort14 { points, open, closed, .. } = fort14(Path::new(&at("sea.14")));
+            let loops = open.iter().chain(closed.iter().map(|segment| &segment.1));
+            let place =
+                |node: &usize| [0, 1].map(|axis| (points[*node][axis] * 1e7).round() as i64);
+            let mut places: Vec<_> = loops.flatten().map(place).collect();
+            places.sort_unstable();
+            places.dedup();
+            places
+        };
+        assert_eq!(boundary("sea.json"), boundary("sea.geojson"), "{plane}");
+    }
+}
+
 /// An index, and the label of one of several, chose only among what a repair had made of the whole world.
 #[test]
 fn one_repaired_polygon_of_a_file_around_the_globe_is_projected() {

@@ -1,6 +1,6 @@
 //! Outlines in degrees of longitude and latitude, projected to a plane in metres.
 //!
-//! An edge runs straight in degrees, as RFC 7946 has it, and the short way around the globe. So a ring across the
+//! An edge runs straight in degrees, as RFC 7946 has it, unless the file says otherwise, and the short way around the globe. So a ring across the
 //! antimeridian needs no cut, and one around a pole no seam.
 
 mod box_sides;
@@ -142,6 +142,10 @@ impl Outlines {
         self.inside.lines.iter().map(|line| line.segment).try_for_each(check)?;
         self.inside.points.iter().try_for_each(|point| expect_degrees(point.at).map_err(wrong))?;
         let starts = || rings().flat_map(|ring| ring.pieces.iter().map(|piece| piece.start));
+        let choice = match (choice, self.straight_in) {
+            (ProjectionChoice::Auto, Some(own)) => ProjectionChoice::Given(own),
+            _ => choice,
+        };
         let Some(projection) = choice.of(starts()).map_err(wrong)? else {
             return Ok(self);
         };
@@ -167,7 +171,8 @@ impl Outlines {
             [f64::min(least, it), f64::max(most, it)]
         });
         node_touching(&sides, &mut self.features);
-        let mut projecting = Projecting { projection, sides, added: 0, named: 0 };
+        let is_straight = self.straight_in == Some(projection);
+        let mut projecting = Projecting { projection, is_straight, sides, added: 0, named: 0 };
         for ring in self.features.iter_mut().flat_map(|feature| &mut feature.rings) {
             *ring = projecting.ring(ring)?;
         }
@@ -266,6 +271,8 @@ fn along(ends: [DVec2; 2]) -> [DVec2; 2] {
 
 struct Projecting {
     projection: Projection,
+    /// Whether edges do not bend in its plane.
+    is_straight: bool,
     sides: BoxSides,
     added: usize,
     named: usize,
@@ -349,6 +356,9 @@ impl Projecting {
 
     /// Points between the ends of an edge, where it bends.
     fn bends(&mut self, mut ends: [DVec2; 2]) -> Vec<DVec2> {
+        if self.is_straight {
+            return Vec::new();
+        }
         // The short way round.
         ends[1].x = ends[0].x + turned(ends[1].x - ends[0].x);
         let mut points = Vec::new();

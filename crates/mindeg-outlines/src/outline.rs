@@ -30,6 +30,8 @@ pub struct Outlines {
     pub(super) shapes: Vec<Shape>,
     /// Whether coordinates are longitudes and latitudes.
     pub(super) is_geographic: bool,
+    /// The projection in whose plane edges between degrees are straight, if the file says so; without it they are in degrees.
+    pub(super) straight_in: Option<Projection>,
     /// The projection that made the coordinates, as the file says, or [`projected`](Self::projected).
     pub projection: Option<Projection>,
 }

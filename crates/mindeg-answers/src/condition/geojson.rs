@@ -8,7 +8,8 @@ use serde_json::{Value, json};
 use std::iter::once;
 
 /// Domains as outlines that mindeg reads again: a polygon each under its name, lines and points inside, and a line with `kind`
-/// and `name` for each stretch of sides that are open water, land or island. In degrees if the domains were projected. Names of
+/// and `name` for each stretch of sides that are open water, land or island. In degrees if the domains were projected; the foreign
+/// member `mindeg` then says in which plane edges are straight, so that they get no points when they are projected again. Names of
 /// sides without a kind are left out; so is what a domain has for a mesh. `None` of those that [have regions](has_regions). O(n log n).
 ///
 /// # Example
@@ -43,7 +44,11 @@ pub fn as_geojson(domains: &[Domain]) -> Option<Value> {
             features.push(at_point(place(domain, point.at), json!({"name": point.name})));
         }
     }
-    Some(collection(features))
+    let mut outlines = collection(features);
+    if let Some(projection) = domains.first().and_then(Domain::projection) {
+        outlines["mindeg"] = json!({"straight_in": projection.to_string()});
+    }
+    Some(outlines)
 }
 
 /// Whether lines divide one of some domains into regions, which the outlines of [`as_geojson`] cannot have.
