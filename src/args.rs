@@ -41,6 +41,7 @@ pub(crate) use improve::ImproveArguments;
 pub(crate) use inspect::InspectArguments;
 pub(crate) use loop_choice::LoopChoice;
 pub(crate) use mesh::{MeshArguments, ModelArguments};
+pub(crate) use ocean::Told;
 pub(crate) use remesh::RemeshArguments;
 pub(crate) use stitch::StitchArguments;
 pub(crate) use surface::SurfaceArguments;

@@ -1,11 +1,12 @@
 //! `mindeg condition`: a boundary that lets a mesh reach an angle.
 
-use crate::args::{ChangeArguments, ConditionArguments, Length, OutlineOptions};
+use crate::args::{ChangeArguments, ConditionArguments, Length, OutlineOptions, Told};
 use crate::bar::Bar;
 use crate::domain::{Parts, Subject, UNNAMED, describe, name, opened};
 use crate::failure::Failure;
 use crate::interrupt::clean_up_on_interrupt;
 use crate::standard_output::{print, print_json};
+use crate::terminal::say;
 use mindeg::Domain;
 use mindeg::interior::condition_all;
 use mindeg_answers::condition::{ConditionAnswer, as_geojson, has_regions};
@@ -38,7 +39,7 @@ pub(crate) fn run(arguments: &ConditionArguments) -> Result<(), Failure> {
     let (new, conditioned) = found.map_err(|(_, error)| Failure::input(error))?;
     drop(bar);
     // The coast changes as without open water, as in `mesh`: names that this gives hold no point.
-    let (new, _) = arguments.kinds.told(&new)?;
+    let Told { domains: new, notes, .. } = arguments.kinds.told(&new)?;
     let answer = ConditionAnswer::of(&domains, &new, &conditioned);
     let written = |path| {
         let outlines = if ends_in(path, "geojson") { as_geojson(&new) } else { None };
@@ -55,6 +56,7 @@ pub(crate) fn run(arguments: &ConditionArguments) -> Result<(), Failure> {
     let changes_file = arguments.change.changes.as_deref().map(drawn).transpose()?;
     let files: Vec<_> = changes_file.into_iter().chain(domain_file).collect();
     describe::write_texts(&files)?;
+    notes.iter().for_each(|note| say(note));
     if files.iter().any(|(_, path)| is_standard_output(path)) {
         return Ok(());
     }

@@ -83,6 +83,11 @@ impl Making {
         }));
     }
 
+    /// Says these sentences in the end.
+    pub(crate) fn tell(&mut self, remarks: Vec<String>) {
+        self.remarks.extend(remarks);
+    }
+
     /// Says in the end what values at vertices the files of meshes have and no output will.
     pub(crate) fn tell_dropped<'m>(&mut self, meshes: impl IntoIterator<Item = &'m TriMesh>) {
         let mut kinds: Vec<&str> = Vec::new();

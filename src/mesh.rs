@@ -112,8 +112,9 @@ fn mesh_of(domain: &Domain, arguments: &MeshArguments, output: &[PathBuf]) -> Re
     if let Some(wanted) = interior::wanted(arguments, domain)? {
         return interior::run(arguments, domain, &wanted, making);
     }
-    let (domains, _) = arguments.kinds.told(std::slice::from_ref(domain))?;
-    let domain = &domains[0];
+    let told = arguments.kinds.told(std::slice::from_ref(domain))?;
+    making.tell(told.notes);
+    let domain = &told.domains[0];
     // Refuse bad options before the search for the mesh, which can take minutes.
     making.check(domain.placement(), domain.rings().triangle_count())?;
     let goal = arguments.goal.goal();

@@ -3,7 +3,6 @@
 use super::values::{Length, distance, place, seconds};
 use crate::failure::Failure;
 use crate::interrupt::SESSION;
-use crate::terminal::say;
 use clap::Args;
 use mindeg::glam::DVec2;
 use mindeg::{DepthRules, Depths, Domain, Interior, OpenWater, Opening, Projection, Size};
@@ -31,6 +30,15 @@ pub(crate) struct BoundaryKinds {
     pub(crate) least_opening: Option<Length>,
 }
 
+/// Domains with the kinds of their sides.
+pub(crate) struct Told<'d> {
+    pub(crate) domains: Cow<'d, [Domain]>,
+    /// The stretches that were asked to be open water.
+    pub(crate) openings: Vec<Opening>,
+    /// What to say of them once the work is done: an error stands alone.
+    pub(crate) notes: Vec<String>,
+}
+
 impl BoundaryKinds {
     /// Refuses open water where there is no single domain.
     pub(crate) fn refuse(&self, subject: &str) -> Result<(), Failure> {
@@ -47,10 +55,7 @@ impl BoundaryKinds {
     }
 
     /// Gives domains beside each other these kinds of sides.
-    pub(crate) fn told<'d>(
-        &self,
-        domains: &'d [Domain],
-    ) -> Result<(Cow<'d, [Domain]>, Vec<Opening>), Failure> {
+    pub(crate) fn told<'d>(&self, domains: &'d [Domain]) -> Result<Told<'d>, Failure> {
         if self.is_empty() && self.least_opening.is_some() {
             return Err(Failure::input(
                 "--least-opening is for open water: add --open or --open-between",
@@ -60,7 +65,8 @@ impl BoundaryKinds {
         let is_open =
             |domain: &Domain| domain.sides().iter().any(|side| side.kind == Some(LineKind::Open));
         if self.is_empty() && !domains.iter().any(is_open) {
-            return Ok((Cow::Borrowed(domains), Vec::new()));
+            let domains = Cow::Borrowed(domains);
+            return Ok(Told { domains, openings: Vec::new(), notes: Vec::new() });
         }
         let part = |name: &String| match &**name {
             "box" => OpenWater::Box,
@@ -78,22 +84,21 @@ impl BoundaryKinds {
         let is_projected = domains.iter().any(|domain| domain.projection().is_some());
         let (new, openings) = Domain::all_with_open_water(domains, &parts, least)
             .map_err(|error| Failure::Input(format!("{option}: {error}")))?;
+        let mut notes = Vec::new();
         for ends in self.open_between.chunks_exact(2) {
             let off = |end: &[f64; 2]| {
                 let distances =
                     domains.iter().map(|domain| domain.distance_to_boundary((*end).into()));
                 length(distances.fold(f64::INFINITY, f64::min), is_projected)
             };
-            say(&format!(
+            notes.push(format!(
                 "--open-between: the nearest vertices of the boundary are {} and {} from the points",
                 off(&ends[0]),
                 off(&ends[1])
             ));
         }
-        if let Some(text) = self.of_land(&openings, is_projected) {
-            say(&text);
-        }
-        Ok((Cow::Owned(new), openings))
+        notes.extend(self.of_land(&openings, is_projected));
+        Ok(Told { domains: Cow::Owned(new), openings, notes })
     }
 
     /// A note on stretches that were asked for and are land: all of them, with the options that open them.

@@ -2,7 +2,7 @@
 
 use super::features::SEPARATE;
 use super::ocean::{Ocean, with_depths};
-use crate::args::MeshArguments;
+use crate::args::{MeshArguments, Told};
 use crate::bar::Bar;
 use crate::condition::drawn;
 use crate::demands::met_or_written_anyway;
@@ -112,6 +112,7 @@ struct Prepared<'d> {
     conditioned: Option<ConditionAnswer>,
     /// The stretches that were asked to be open water.
     openings: Vec<Opening>,
+    notes: Vec<String>,
 }
 
 fn prepared<'d>(
@@ -120,8 +121,8 @@ fn prepared<'d>(
     domains: &'d [Domain],
 ) -> Result<Prepared<'d>, Failure> {
     let Some(angle) = arguments.condition else {
-        let (domains, openings) = arguments.kinds.told(domains)?;
-        return Ok(Prepared { domains, conditioned: None, openings });
+        let Told { domains, openings, notes } = arguments.kinds.told(domains)?;
+        return Ok(Prepared { domains, conditioned: None, openings, notes });
     };
     let change = &arguments.change;
     let (size, least) = (arguments.domain.options.size, wanted.least_triangles());
@@ -130,9 +131,9 @@ fn prepared<'d>(
         .map_err(|(_, error)| Failure::input(error))?;
     let answer = ConditionAnswer::of(domains, &new, &conditioned);
     // The coast changes as without open water, so one step gives the mesh of two.
-    let (new, openings) = arguments.kinds.told(&new)?;
-    let domains = Cow::Owned(new.into_owned());
-    Ok(Prepared { domains, conditioned: Some(answer), openings })
+    let Told { domains, openings, notes } = arguments.kinds.told(&new)?;
+    let domains = Cow::Owned(domains.into_owned());
+    Ok(Prepared { domains, conditioned: Some(answer), openings, notes })
 }
 
 /// Draws the changes to a file, if that is wanted: once there is a mesh.
@@ -226,7 +227,8 @@ pub(super) fn run(
     let depths = arguments.depths(domain.projection())?;
     let beside = sizes_beside(old, &wanted.sizes);
     let wanted = &arguments.depth.over(depths.as_ref(), wanted.clone(), old)?;
-    let Prepared { domains, conditioned, openings } = prepared(arguments, wanted, old)?;
+    let Prepared { domains, conditioned, openings, notes } = prepared(arguments, wanted, old)?;
+    making.tell(notes);
     let domain = &domains[0];
     making.open()?;
     let meshed = making.work(|progress| interior::mesh(domain, wanted, progress));
@@ -283,7 +285,8 @@ pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Res
     let depths = arguments.depths(projection.as_ref())?;
     let beside = sizes_beside(&old, &wanted.sizes);
     let wanted = arguments.depth.over(depths.as_ref(), wanted, &old)?;
-    let Prepared { domains, conditioned, openings } = prepared(arguments, &wanted, &old)?;
+    let Prepared { domains, conditioned, openings, notes } = prepared(arguments, &wanted, &old)?;
+    making.tell(notes);
     making.open()?;
     let meshed = making.work(|progress| interior::mesh_all(&domains, &wanted, progress));
     let mut found = meshed.map_err(|(index, error)| refused(&domains[index], &wanted, &error))?;

@@ -980,6 +980,25 @@ fn a_coast_in_geojson_is_the_one_in_json() {
     }
 }
 
+/// The list of stretches on the box stood before an error, which scrolled away.
+#[test]
+fn an_error_stands_alone_without_the_stretches_on_the_box() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("cross.14").display().to_string();
+    let cross = "1,0 2,0 2,1 3,1 3,2 2,2 2,3 1,3 1,2 0,2 0,1 1,1";
+    let words = ["mesh", "--corners", cross, "--size", "0.5", "--open", "box", "-o", &out];
+    let told = "\n3 stretches on the box that are not the longest are land";
+    for kind in [&[][..], &["--interior"]] {
+        let mesh = |angle: &str| mindeg([&words[..], kind, &["--target-angle", angle]].concat());
+        let failed = mesh("59");
+        assert!(failed.code != Some(0) && failed.errors.starts_with("error:"), "{failed:?}");
+        assert!(!failed.errors.contains("stretches"), "{}", failed.errors);
+        let done = mesh("10");
+        assert!(done.code == Some(0) && done.errors.contains(told), "{done:?}");
+        assert!(done.errors.contains("minimum angle"), "{}", done.errors);
+    }
+}
+
 /// An index, and the label of one of several, chose only among what a repair had made of the whole world.
 #[test]
 fn one_repaired_polygon_of_a_file_around_the_globe_is_projected() {
