@@ -2,7 +2,7 @@
 //!
 //! The three kinds of the classic format are read: with offsets of 32 and of 64 bits, and with all counts of 64 bits (CDF-1, 2 and 5).
 //! The grid is the variable with two dimensions that both have coordinates, evenly spaced; dimensions of length 1 before them do
-//! not count. `scale_factor`, `add_offset`, `_FillValue` and `missing_value` hold. Nothing is allocated beyond what the file holds.
+//! not count. Grids of GMT 3 are read, too. `scale_factor`, `add_offset`, `_FillValue` and `missing_value` hold. Nothing is allocated beyond what the file holds.
 //!
 //! Limits: NetCDF-4 is HDF5, which is not read.
 
@@ -63,6 +63,10 @@ impl<'a> Dataset<'a> {
         Ok(all)
     }
 
+    fn named(&self, name: &str) -> Option<&Variable<'a>> {
+        self.variables.iter().find(|own| own.name == name)
+    }
+
     /// The coordinates along a dimension, if it has them.
     fn coordinates(&self, dimension: usize) -> Option<&Variable<'a>> {
         let (name, _) = &self.dimensions[dimension];
@@ -90,6 +94,36 @@ impl<'a> Dataset<'a> {
     }
 }
 
+/// Reads a grid as GMT 3 wrote it: no coordinates but their ranges, and the values in one row, from the highest y on.
+fn of_gmt_3(data: &Dataset<'_>) -> Result<Raster, ReadError> {
+    let wrong = || {
+        let problem = "the grid is of GMT's old kind and its parts do not fit together; gmt grdconvert OLD.grd=cf NEW.nc \
+             --IO_NC4_CHUNK_SIZE=classic may make one that is read";
+        ReadError::place("", problem)
+    };
+    let row = |name: &str, count: usize| {
+        let variable = data.named(name).ok_or_else(wrong)?;
+        match variable.dimensions[..] {
+            [own] if data.dimensions[own].1 == count => data.numbers(variable, [count, 1], own),
+            _ => Err(wrong()),
+        }
+    };
+    let pair = |name: &str| Ok::<_, ReadError>(DVec2::from_slice(&row(name, 2)?));
+    let [x, y, counts] = [pair("x_range")?, pair("y_range")?, pair("dimension")?];
+    let [columns, rows] = counts.to_array().map(|count| count as usize);
+    let count = columns.checked_mul(rows).filter(|_| columns > 1 && rows > 1).ok_or_else(wrong)?;
+    let values = row("z", count)?;
+    let values = values.chunks_exact(columns).rev().flatten().copied().collect();
+    let reach = DVec2::new(x[1] - x[0], y[1] - y[0]);
+    if !(reach.is_finite() && reach.cmpgt(DVec2::ZERO).all()) {
+        return Err(wrong());
+    }
+    let is_of_cells = data.named("z").and_then(|z| z.number("node_offset")) == Some(1.0);
+    let spacing = reach / if is_of_cells { counts } else { counts - DVec2::ONE };
+    let first = if is_of_cells { spacing / 2.0 } else { DVec2::ZERO };
+    Ok(Raster { origin: DVec2::new(x[0], y[0]) + first, spacing, columns, values })
+}
+
 /// Reads a grid.
 pub(crate) fn read_raster(file: &[u8]) -> Result<Raster, ReadError> {
     let data = Dataset::read(file)?;
@@ -102,6 +136,7 @@ pub(crate) fn read_raster(file: &[u8]) -> Result<Raster, ReadError> {
     let grids: Vec<&Variable<'_>> = data.variables.iter().filter(on_grid).collect();
     let usual = || USUAL.iter().find_map(|name| grids.iter().find(|own| own.name == *name));
     let grid = match grids[..] {
+        [] if data.named("x_range").is_some() => return of_gmt_3(&data),
         [] => {
             let problem = "no variable has two dimensions with coordinates, such as lat and lon";
             return Err(ReadError::place("", problem));
@@ -279,6 +314,42 @@ mod tests {
         let grid = read_raster(&bytes).unwrap();
         assert_eq!((grid.origin, grid.columns), (DVec2::new(0.0, 5.0), 3));
         assert_eq!(grid.values, [5.0, 3.0, 1.0, -1.0, 4.0, 2.0]);
+    }
+
+    /// They have no coordinates, and were refused.
+    #[test]
+    fn grids_of_gmt_3_are_read() {
+        let int = |value: i32| value.to_be_bytes().to_vec();
+        let grid = |columns: i32, offset: i32| {
+            let own = vec![
+                attribute("scale_factor", 6, 1, &floats(&[2.0]), 1),
+                attribute("node_offset", 4, 1, &int(offset), 1),
+            ];
+            file(
+                1,
+                &[("side", 2), ("xysize", 6)],
+                &[
+                    ("x_range", &[0], vec![], 6, floats(&[20.0, 21.0])),
+                    ("y_range", &[0], vec![], 6, floats(&[30.0, 32.0])),
+                    ("z_range", &[0], vec![], 6, floats(&[1.0, 6.0])),
+                    ("spacing", &[0], vec![], 6, floats(&[0.0, 0.0])),
+                    ("dimension", &[0], vec![], 4, [int(columns), int(2)].concat()),
+                    ("z", &[1], own, 3, shorts(&[1, 2, 3, 4, 5, 6])),
+                ],
+            )
+        };
+        // Rows run from the north on, and cells have their values in the middle.
+        for (offset, origin, spacing) in
+            [(0, [20.0, 30.0], [0.5, 2.0]), (1, [20.0 + 1.0 / 6.0, 30.5], [1.0 / 3.0, 1.0])]
+        {
+            let found = read_raster(&grid(3, offset)).unwrap();
+            assert_eq!((found.origin, found.spacing), (origin.into(), spacing.into()));
+            assert_eq!((found.columns, found.values), (3, vec![8.0, 10.0, 12.0, 2.0, 4.0, 6.0]));
+        }
+        for columns in [4, 1, -3] {
+            let told = read_raster(&grid(columns, 0)).unwrap_err().to_string();
+            assert!(told.contains("gmt grdconvert OLD.grd=cf NEW.nc"), "{told}");
+        }
     }
 
     /// Without `_FillValue` such values came out as depths of 10^37.
