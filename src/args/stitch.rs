@@ -19,7 +19,7 @@ Examples:
 /// the new boundary names and kinds, land without; depths are between those of the meshes.
 ///
 /// Two meshes that overlap need no area: the first one stays, the second one loses the triangles that overlap it or
-/// are too near, and the gap between is filled.
+/// are too near, and the gap between is filled. The order tells which boundary stays: what they cover may differ by parts of an edge.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES, after_long_help = with_exit_codes(EXAMPLES))]
 pub(crate) struct StitchArguments {

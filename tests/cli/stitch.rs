@@ -106,6 +106,8 @@ fn what_cannot_be_stitched_is_refused_with_the_place() {
     let steep = path("steep.obj", "v 13 4 0\nv 14 4 0\nv 13 5 1\nf 1 2 3\n");
     // Along y = 6, where the shore has a vertex.
     let high = path("high.wkt", "POLYGON ((9.8 3.8, 13.2 4.3, 13.2 6, 9.8 6))");
+    // Of the river it has one vertex, of the ocean an edge.
+    let corner = path("corner.wkt", "POLYGON ((9.8 4.3, 12.9 4.3, 13.2 4.2, 13.1 4.6, 9.8 5.1))");
     let inside = path("inside.wkt", "POLYGON ((1 1, 2 1, 2 2, 1 2))");
     let out = folder.path().join("x.14").display().to_string();
     let before = content(folder.path());
@@ -114,6 +116,11 @@ fn what_cannot_be_stitched_is_refused_with_the_place() {
         (&ocean, &area, &["meshes 1 and 2 overlap", "near ("]),
         (&on_ocean, &inside, &["meshes 1 and 2 overlap", "without it, the second one"]),
         (&river, &inside, &["no gap"]),
+        (
+            &river,
+            &corner,
+            &["the area has the boundary vertex at (13, 4.4) and no edge of that mesh"],
+        ),
         (&river, &half, &["stays apart"]),
         (&river, &zigzag, &["crosses the boundary edge at (10, ", "several times"]),
         (&river, &high, &["through the boundary vertex at (10, 6)"]),

@@ -74,6 +74,14 @@ pub(super) fn rings(
         while !is_used[entry] {
             is_used[entry] = true;
             let mut vertex = enters[entry].vertex;
+            // The new mesh would touch that mesh at this vertex alone.
+            if leaves.contains_key(&vertex) {
+                return Err(MeshError::Refused(format!(
+                    "the area has the boundary vertex at {} and no edge of that mesh: make it wider there, so that it has a whole edge \
+                     of each mesh that it joins",
+                    shown(at(vertex))
+                )));
+            }
             // Chains end where an edge leaves the area.
             while !leaves.contains_key(&vertex) {
                 ring.push((Corner::Mesh(vertex), None));
