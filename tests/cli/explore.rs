@@ -218,6 +218,22 @@ mod page {
         }
         let figures = fs::read_to_string(figures).expect("figures");
         let figures: Value = serde_json::from_str(&figures).expect("JSON");
+        // No mesh of the table has a larger angle than one that is advised or made unasked, and no higher degree. Of a formula's mesh
+        // the terminal says that candidates were tried.
+        let number = |mesh: &Value, key: &str| mesh[key].as_f64().expect("a number");
+        let is_searched = made["found_by"] != "formula";
+        for mesh in
+            [&shown["patch"], &shown["fewest"]].into_iter().chain(is_searched.then_some(&made))
+        {
+            let [degree, angle] = ["max_degree", "min_angle"].map(|key| number(mesh, key));
+            for row in figures["points"].as_array().expect("rows") {
+                let is_better = number(row, "min_angle") > angle * (1.0 + 1e-9);
+                assert!(
+                    number(row, "max_degree") > degree || !is_better,
+                    "{file}: {row} beats {mesh}"
+                );
+            }
+        }
         for purpose in ["solver", "patch", "fewest"] {
             let of_purpose = &shown[purpose];
             assert!(of_purpose.is_object(), "{file}, {purpose}: {shown}");
@@ -273,8 +289,15 @@ mod page {
     #[test]
     fn the_advice_is_the_same_everywhere() {
         let is_quick = |path: &PathBuf| path.file_stem().is_some_and(|stem| stem != SLOW);
-        let files: Vec<PathBuf> = examples().into_iter().filter(is_quick).collect();
+        let mut files: Vec<PathBuf> = examples().into_iter().filter(is_quick).collect();
         assert!(files.len() >= 12, "{files:?}");
+        // A coast: too large for the search of all meshes.
+        let folder = tempfile::tempdir().expect("a folder");
+        let coast = folder.path().join("saronic.json");
+        let outline = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/outlines/saronic.geojson");
+        let run = mindeg(["domain".as_ref(), outline.as_ref(), "-o".as_ref(), coast.as_os_str()]);
+        assert_eq!(run.code, Some(0), "{run:?}");
+        files.push(coast);
         let half = |first: usize| {
             let folder = tempfile::tempdir().expect("a folder");
             let page = Page::open(folder.path(), &[]);

@@ -313,8 +313,12 @@ fn standing_of(
             Some(format!("It has {kept}. No smaller degree keeps {asked}."))
         }
         (FoundBy::Windows { share }, _, Some(kept)) => {
-            // More may have come at the same degree than was asked for.
-            let share = if let Goal::KeepAngle(wanted) = goal { wanted } else { share };
+            let share = match goal {
+                // More may have come at the same degree than was asked for.
+                Goal::KeepAngle(wanted) => wanted,
+                Goal::LeastDegree | Goal::Optimize(_) => 0.0,
+                Goal::MaxDegree(_) => share,
+            };
             let asked = percent(share);
             let gap = if max_degree == least {
                 "no degree is smaller".to_owned()

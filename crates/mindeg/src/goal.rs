@@ -41,7 +41,8 @@ pub enum Goal {
     /// Where few chords join different sides, or a convex domain
     /// [is constrained](Domain::is_constrained), the mesh with the largest minimum angle of all with that
     /// degree, by the solver. Else, of a convex domain, the best of at most 64 candidates that the
-    /// construction gives; of any other, one with an angle that is found on the way, or with few points the largest.
+    /// construction gives; of any other, one whose angle costs little to find: no mesh that windows reach at this degree has a larger
+    /// one.
     ///
     /// Where too many vertices see each other, the least degree that windows reach.
     #[default]

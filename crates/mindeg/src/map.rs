@@ -29,9 +29,6 @@ const TRY: f64 = 0.125;
 /// A mesh that keeps limits of single vertices is looked for up to so many degrees above one that does not.
 const MORE: u32 = 3;
 
-/// Beyond so many vertices a larger angle is not tried for: a try takes as long as a share of the search for the degree.
-const FEW: u32 = 250;
-
 /// A mesh of a map, and what is known of its degrees.
 pub(crate) struct MapMesh {
     pub(crate) mesh: BoundaryMesh,
@@ -146,13 +143,9 @@ fn lowest(
     Err(MeshError::LimitsNotReached)
 }
 
-/// The mesh of the least degree that is found; of a map that is not large, one with a larger angle, if short tries find it.
+/// The mesh of the least degree that is found, with a larger angle if short tries find one.
 pub(crate) fn least_degree(domain: &Domain, progress: Progress<'_>) -> Result<Meshed, MeshError> {
-    let found = least(domain, 0, 1.0, progress)?;
-    if found.mesh.vertex_count() > FEW {
-        return Ok(found.meshed(0.0));
-    }
-    larger(domain, found, TRY, progress)
+    larger(domain, least(domain, 0, 1.0, progress)?, TRY, progress)
 }
 
 /// The mesh of the least degree that is found, with the angle of [`max_degree`].
@@ -160,14 +153,20 @@ pub(crate) fn optimize(domain: &Domain, progress: Progress<'_>) -> Result<Meshed
     larger(domain, least(domain, 0, 1.0, progress)?, 1.0, progress)
 }
 
-/// A mesh of the degree of one that was found, with a larger angle if tries find it.
+/// A mesh of the degree of one that was found, with a larger angle if tries find it; `effort` is how long to look with less than all
+/// of the angle.
 fn larger(
     domain: &Domain,
     found: MapMesh,
     effort: f64,
     progress: Progress<'_>,
 ) -> Result<Meshed, MeshError> {
-    let larger = within(domain, wider(), found.max_degree(), effort, progress)?;
+    let limit = found.max_degree();
+    // Where all of the angle goes with this degree, that shows soon.
+    let larger = match within(domain, [1.0], limit, 1.0, progress)? {
+        None => within(domain, wider().skip(1), limit, effort, progress)?,
+        all => all,
+    };
     let found = found.meshed(0.0);
     Ok(match larger {
         Some(larger) => larger.with_bound_of(&found),
