@@ -283,9 +283,20 @@ test("a file that is started with or dropped is repaired, named after its stem, 
   try {
     const started = await browser.newPage();
     await started.goto(model.address);
-    await started.waitForFunction(() => document.querySelectorAll("#solid-meshes .stage[data-drawn]").length === 1);
+    await started.waitForFunction(() => document.querySelectorAll("#solid-meshes .stage[data-drawn]").length === 2);
     assert.equal(await text(started, "#title"), "bracket.json");
     assert.match(await text(started, "#solid-words"), /degree/);
+    // The mesh with points inside is there unasked, beside that of boundary points alone; either is downloaded.
+    assert.deepEqual(await started.locator("#solid-meshes h3").allTextContents(), ["Boundary points alone", "Points inside"]);
+    assert.match(await text(started, "#solid-command"), /^mindeg mesh \S*bracket\.json --interior -o bracket-points-inside\.obj$/);
+    await started.screenshot({ path: join(work, "model.png") });
+    const inside = await downloaded(started, "#solid-download");
+    assert.match(inside.path, /bracket-points-inside\.obj$/);
+    await started.locator("#solid-nothing").click();
+    await started.waitForFunction(() => document.querySelectorAll("#solid-meshes .stage[data-drawn]").length === 1);
+    const alone = await downloaded(started, "#solid-download");
+    const [more, few] = [inside, alone].map(({ path }) => JSON.parse(mindeg("inspect", path, "--json").stdout));
+    assert.ok(more.vertices > few.vertices && more.min_angle > few.min_angle, `${more.min_angle}° ${few.min_angle}°`);
     // Formats of the plane are for maps; what is refused is told where the surface is.
     const offered = await started.locator("#solid-format option:not([disabled])").evaluateAll((all) => all.map(({ value }) => value));
     assert.ok(offered.includes("obj") && !["geojson", "fort14", "ugrid", "su2"].some((name) => offered.includes(name)), offered.join(" "));

@@ -20,6 +20,8 @@ let file = null;
 let map = null;
 let advice = null;
 let shownNow = [];
+/** The number of the last request; the answer to another one comes too late. */
+let asking = 0;
 
 /** Takes a file with a surface, and shows it in place of the boundary. */
 export async function beginSolid(dropped) {
@@ -30,6 +32,8 @@ export async function beginSolid(dropped) {
   // The buttons of the map before.
   element("choose").hidden = true;
   await show("nothing");
+  // Of a model, the mesh that a solver should get.
+  if (file === dropped && !element("model-meshes").hidden) await show("interior");
 }
 
 /** Takes the section, for a surface or for a map. */
@@ -37,6 +41,7 @@ function open(title, facts) {
   document.body.classList.add("solid");
   element("solid").hidden = false;
   for (const id of ["solid-changes", "solid-loops", "solid-thick"]) element(id).hidden = Boolean(map);
+  element("model-meshes").hidden = true;
   element("whole-purposes").hidden = !map;
   element("solid-title").textContent = map ? "What is the mesh for?" : "What should become of the surface?";
   // A map lies in the plane; a surface in space fits no format of the plane.
@@ -86,6 +91,7 @@ async function showWhole(purpose) {
 /** Goes back to boundaries. */
 export function endSolid() {
   file = map = advice = null;
+  asking += 1;
   element("whole-purposes").replaceChildren();
   state.solid = null;
   document.body.classList.remove("solid");
@@ -109,24 +115,30 @@ function wished(change) {
 
 /** Shows the surface before and after a change. */
 async function show(change) {
+  const own = (asking += 1);
   const more = wished(change);
   element("solid-words").textContent = "Working …";
   showTrouble("");
   try {
     const found = await server.solid(file, change, more);
+    if (asking !== own) return;
     if (change === "nothing") {
-      shownNow = [figure("Before", found)];
+      element("model-meshes").hidden = !found.is_model;
+      element("solid-remesh").classList.toggle("primary", !found.is_model);
+      if (found.is_model) element("facts").textContent = "A whole model";
+      shownNow = [figure(found.is_model ? "Boundary points alone" : "Before", found)];
       listLoops(found.loops, found.loop_vertices.map((text) => unpack(text, Uint32Array)));
     } else {
-      shownNow = [shownNow[0], figure({ remesh: "Meshed anew", fill: "Filled", bridge: "Bridged" }[change], found)];
+      shownNow = [shownNow[0], figure({ interior: "Points inside", remesh: "Meshed anew", fill: "Filled", bridge: "Bridged" }[change], found)];
     }
     element("solid-meshes").replaceChildren(...shownNow.map(({ figure }) => figure));
     for (const { draw } of shownNow) draw();
     element("solid-words").textContent = found.words;
     element("solid-command").textContent = found.command;
     made = { change, more };
-    element("solid-download").hidden = change === "nothing";
+    element("solid-download").hidden = change === "nothing" && !found.is_model;
   } catch (error) {
+    if (asking !== own) return;
     element("solid-words").textContent = "";
     showTrouble(error.message);
   }
@@ -216,7 +228,7 @@ export function startSolid(hand, onEnd) {
   element("solid-metric").addEventListener("change", () => {
     for (const { color } of shownNow) color();
   });
-  for (const change of ["remesh", "fill", "bridge"]) element(`solid-${change}`).addEventListener("click", () => show(change));
+  for (const change of ["nothing", "interior", "remesh", "fill", "bridge"]) element(`solid-${change}`).addEventListener("click", () => show(change));
   element("solid-end").addEventListener("click", () => {
     endSolid();
     onEnd();

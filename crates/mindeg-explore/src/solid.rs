@@ -3,10 +3,10 @@
 use mindeg::bridge::{BridgeOptions, bridge};
 use mindeg::fill::{FillOptions, fill};
 use mindeg::glam::DVec3;
-use mindeg::model::mesh_model;
+use mindeg::model::{fill_model, mesh_model};
 use mindeg::quality::TriangleQuality;
 use mindeg::remesh::{Remesh, remesh};
-use mindeg::{Goal, Loops, Model, TriMesh};
+use mindeg::{Goal, Interior, Loops, Model, TriMesh};
 use mindeg_answers::command::shell_word;
 use mindeg_answers::loops::{BridgeAnswer, FillAnswer, LoopName};
 use mindeg_answers::model::ModelAnswer;
@@ -32,6 +32,8 @@ pub(crate) enum Change {
     /// Nothing.
     #[default]
     Nothing,
+    /// The faces of a whole model get points inside.
+    Interior,
     /// It is meshed anew.
     Remesh,
     /// Its holes are closed.
@@ -70,6 +72,7 @@ impl Asked {
         let name = self.name.split('.').next().unwrap_or("surface");
         let which = match self.change {
             Change::Nothing => "as-it-is",
+            Change::Interior => "points-inside",
             Change::Remesh => "remeshed",
             Change::Fill => "filled",
             Change::Bridge => "bridged",
@@ -90,13 +93,16 @@ fn command(asked: &Asked, known: &KnownFiles, is_model: bool) -> String {
     let of_model = format!("mindeg mesh {file} -o {mesh}");
     let file = match (is_model, asked.change) {
         (true, Change::Nothing) => return of_model,
+        (true, Change::Interior) => {
+            return format!("mindeg mesh {file} --interior -o {}.obj", asked.stem());
+        }
         (true, _) => mesh,
         (false, _) => file,
     };
     let interior = if asked.interior { " --interior" } else { "" };
     let numbered = |option: &str, index: usize| format!(" {option} {}", index + 1);
     let (verb, options) = match asked.change {
-        Change::Nothing => ("convert", String::new()),
+        Change::Nothing | Change::Interior => ("convert", String::new()),
         Change::Remesh => {
             ("remesh", asked.size.map(|size| format!(" --size {size}")).unwrap_or_default())
         }
@@ -118,6 +124,8 @@ fn command(asked: &Asked, known: &KnownFiles, is_model: bool) -> String {
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct SolidShown {
     name: String,
+    /// Whether its file has a whole model.
+    is_model: bool,
     /// Its state, or the changes, in sentences.
     words: String,
     /// The command that writes the same mesh.
@@ -162,7 +170,7 @@ pub(crate) fn shown(
     let drawn = drawn(&mesh)?;
     let words = if words.is_empty() { drawn.words.clone() } else { words };
     let command = command(asked, known, is_model);
-    Ok(SolidShown { first_new, ..drawn.told(name, &words, command) })
+    Ok(SolidShown { first_new, is_model, ..drawn.told(name, &words, command) })
 }
 
 impl SolidShown {
@@ -208,6 +216,7 @@ pub(crate) fn drawn(mesh: &TriMesh) -> Result<SolidShown, String> {
     );
     Ok(SolidShown {
         name: String::new(),
+        is_model: false,
         command: String::new(),
         words: counts,
         vertices: positions.len(),
@@ -242,15 +251,28 @@ pub(crate) fn file(
     written(&mesh, format, &asked.stem(), 0)
 }
 
-/// The surface in a file; of a whole model, its mesh of least degree, and how it was made.
-fn surface(input: &Input<'_>, progress: Progress<'_>) -> Result<(TriMesh, String), String> {
+/// The surface in a file; of a whole model, its mesh and how it was made: with points inside, or of least degree.
+fn surface(
+    input: &Input<'_>,
+    change: Change,
+    progress: Progress<'_>,
+) -> Result<(TriMesh, String), String> {
     let session = Session::new("");
     let options = ReadOptions::default();
     match session.mesh(input, None, progress) {
+        Ok(_) if change == Change::Interior => {
+            Err("points inside are for whole models; mesh a surface anew".to_owned())
+        }
         Ok(mesh) => Ok((mesh, String::new())),
         Err(error) => match session.open(input, Wanted::Model, &options, progress) {
             Ok(Content::Model(text)) => {
                 let model = Model::from_json(&text).map_err(|error| error.to_string())?;
+                if change == Change::Interior {
+                    let filled = fill_model(&model, &Interior::default(), progress)
+                        .map_err(|error| error.to_string())?;
+                    let words = ModelAnswer::filled(&model, &filled).words;
+                    return Ok((filled.mesh, words));
+                }
                 let meshed = mesh_model(&model, Goal::LeastDegree, 1.0, progress)
                     .map_err(|error| error.to_string())?;
                 let words = ModelAnswer::of(&model, &meshed).words;
@@ -274,7 +296,7 @@ struct Changed {
 
 /// The surface in a file with what was asked for.
 fn changed(asked: &Asked, bytes: &[u8], progress: Progress<'_>) -> Result<Changed, String> {
-    let (mesh, words) = surface(&Input::Bytes(&asked.name, bytes), progress)?;
+    let (mesh, words) = surface(&Input::Bytes(&asked.name, bytes), asked.change, progress)?;
     let (is_model, chosen) = (!words.is_empty(), asked.chosen());
     let loops = Loops::of(&mesh);
     let (count, before) = (loops.list().len(), mesh.triangle_count());
@@ -282,7 +304,9 @@ fn changed(asked: &Asked, bytes: &[u8], progress: Progress<'_>) -> Result<Change
         return Err(format!("there is no loop {}; the surface has {count}", index + 1));
     }
     match asked.change {
-        Change::Nothing => Ok(Changed { mesh, words, first_new: None, is_model }),
+        Change::Nothing | Change::Interior => {
+            Ok(Changed { mesh, words, first_new: None, is_model })
+        }
         Change::Remesh => {
             let wish = Remesh { size: asked.size, ..Remesh::default() };
             let found = remesh(&mesh, &wish, progress).map_err(|error| error.to_string())?;
@@ -329,6 +353,10 @@ mod tests {
     const TUBE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n\
         f 1 2 6\nf 1 6 5\nf 2 3 7\nf 2 7 6\nf 3 4 8\nf 3 8 7\nf 4 1 5\nf 4 5 8\n";
 
+    /// Two rectangles that meet at a ridge.
+    const TENT: &str = r#"{"size": 0.5, "corners": [[0, 0, 0], [4, 0, 0], [4, 2, 2], [0, 2, 2], [4, 4, 0], [0, 4, 0]],
+        "faces": [{"corners": [0, 1, 2, 3]}, {"corners": [3, 2, 4, 5]}]}"#;
+
     fn asked(change: Change, loops: &str) -> Asked {
         let name = "tube.obj".to_owned();
         let (loops, format) = (loops.to_owned(), "obj".to_owned());
@@ -365,6 +393,24 @@ mod tests {
         let file = file(&asked(Change::Fill, ""), bytes, Progress::NONE).unwrap();
         assert_eq!(file.name, "tube-filled.obj");
         assert!(file.bytes.starts_with(b"#") || !file.bytes.is_empty());
+    }
+
+    /// As `mindeg mesh` makes them, with the command that does.
+    #[test]
+    fn a_whole_model_has_two_meshes() {
+        let model = TENT.as_bytes();
+        let asked = |change| Asked { name: "tent.json".to_owned(), ..asked(change, "") };
+        let found =
+            |change| shown(&asked(change), model, &KnownFiles::default(), Progress::NONE).unwrap();
+        let (alone, inside) = (found(Change::Nothing), found(Change::Interior));
+        assert!(alone.is_model && inside.is_model && inside.loops == alone.loops);
+        assert!(inside.vertices > alone.vertices && inside.min_angle > 30.0, "{}", inside.words);
+        assert_eq!(inside.command, "mindeg mesh tent.json --interior -o tent-points-inside.obj");
+        let saved = file(&asked(Change::Interior), model, Progress::NONE).unwrap();
+        assert_eq!(saved.name, "tent-points-inside.obj");
+        let tube = Asked { name: "tube.obj".to_owned(), ..asked(Change::Interior) };
+        let refused = shown(&tube, TUBE.as_bytes(), &KnownFiles::default(), Progress::NONE);
+        assert!(refused.unwrap_err().contains("whole models"));
     }
 
     #[test]
