@@ -1053,6 +1053,7 @@ test("a boundary too large for the search has a curve and advice", async () => {
   // No button promises a mesh that the page has not: the command stands in its place, and the picture has the boundary.
   await page.locator("[data-purpose=solver]").click();
   await answered(page);
+  await page.screenshot({ path: join(work, "coarser.png") });
   for (const button of ["#download", "#download-main"]) assert.ok(!await page.locator(button).isVisible(), button);
   assert.ok(await page.locator("#command").isVisible());
   assert.match(await text(page, "#command"), / --interior /);
@@ -1076,6 +1077,19 @@ test("a boundary too large for the search has a curve and advice", async () => {
   assert.ok(await page.locator("#download").isVisible());
   // Windows give its curve.
   assert.ok(await page.locator("#curve").isVisible());
+  assert.equal(await page.locator("#coarser").isVisible(), false);
+  // One click takes longer edges inside, with which the page has the mesh.
+  await page.locator("[data-purpose=solver]").click();
+  await answered(page);
+  assert.equal(await text(page, "#coarser"), "Take edges up to 0.3 inside");
+  await page.locator("#coarser").click();
+  await answered(page);
+  assert.match(await page.locator("#name-main").textContent(), /points inside/i);
+  assert.match(await text(page, "#command"), /"size_inside":\s*0\.3/);
+  const { bytes } = await downloaded(page, "#download");
+  assert.ok(bytes.toString().match(/^v /gm).length > 10_000);
+  assert.equal(await page.locator("#coarser").isVisible(), false);
+  await page.screenshot({ path: join(work, "coarser-taken.png") });
   await page.context().close();
 });
 

@@ -7,7 +7,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 /// The most points of a mesh with points inside that is made for an advice, or that the page of `explore` shows.
-pub const MOST_POINTS: usize = 200_000;
+pub const MOST_POINTS: usize = 300_000;
 
 /// The figures of a mesh to take.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]

@@ -32,6 +32,10 @@ const purposeNow = () => Object.keys(PURPOSES).find((name) => {
 /** Offers the purposes; `onView` is called when another mesh is looked at. */
 export function offerPurposes(onView) {
   showViews = onView;
+  element("coarser").addEventListener("click", () => {
+    state.isTold = true;
+    apply({ ...state.domain, interior: { ...state.domain.interior, size_inside: shown.coarser } });
+  });
   element("purposes").append(...purposeButtons(choosePurpose));
 }
 
@@ -94,6 +98,8 @@ export function showAdvice() {
   const button = element("put-on-edges");
   button.hidden = !conditioned;
   if (conditioned) button.textContent = `Put ${several(advice.points_on_edges, "point")} on edges: ${angleText(conditioned.min_angle)}`;
+  element("coarser").hidden = !shown.coarser || state.view !== "interior";
+  element("coarser").textContent = `Take edges up to ${shown.coarser} inside`;
   if (!advice) {
     element("advice").textContent = "…";
     return;

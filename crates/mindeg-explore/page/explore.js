@@ -31,6 +31,7 @@ const take = {
     forgetEdges(false);
     if (selection.mustFit) for (const stage of stages) stage.worst = null;
     shown.domain = domain;
+    shown.coarser = null;
     showTrouble("");
     showOld(false);
     showDomain(domain);
@@ -70,7 +71,7 @@ const take = {
   command({ text }) {
     element("command").textContent = text;
   },
-  refused({ part, message, path }) {
+  refused({ part, message, path, coarser }) {
     if (!part) {
       forgetEdges(true);
       showRefused(stages, { message, path });
@@ -81,6 +82,10 @@ const take = {
       return showCurveNow(chooseDegree);
     }
     showPartRefused(stages, part, message);
+    if (part === "interior") {
+      shown.coarser = coarser;
+      showAdvice();
+    }
     laterCharts();
   },
 };

@@ -27,9 +27,9 @@ export const selection = { corner: null, side: null, drag: null, mustFit: true }
 
 /**
  * The last answers; `decides` are places that were asked for, `sourceNotes` tell what a file lost; `places` have names.
- * `forgotten` are meshes and an advice of a domain before that are no longer told, while those of this one are looked for.
+ * `coarser` is a size inside where points inside are too many. `forgotten` are meshes and an advice of a domain before that are no longer told, while those of this one are looked for.
  */
-export const shown = { domain: null, meshes: {}, forgotten: {}, advice: null, curve: null, degree: null, limit: null, wantedDegree: null, decides: [], sourceNotes: [], places: [] };
+export const shown = { domain: null, meshes: {}, forgotten: {}, advice: null, curve: null, degree: null, limit: null, coarser: null, wantedDegree: null, decides: [], sourceNotes: [], places: [] };
 
 /** Where domains that are as a file has them are from: `[file, place]`, the file null for that of the start, and the place in it. */
 export const origins = new WeakMap();

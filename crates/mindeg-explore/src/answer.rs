@@ -3,6 +3,7 @@
 use std::time::{Duration, Instant};
 
 use mindeg::exact::trade_off;
+use mindeg::interior::InteriorError;
 use mindeg::{BoundaryMesh, Domain, Goal, TriMesh, is_by_formula};
 use mindeg_answers::advice::{Advice, AdviceAnswer, AdvisedMesh, NoPoints, Purpose};
 use mindeg_answers::degree::DegreeReport;
@@ -13,7 +14,7 @@ use mindeg_mesh::{Cancelled, Progress};
 use crate::api::{AnswerLine, CurveShown, DegreeShown, Part, Request, View};
 use crate::changes;
 use crate::command::{KnownFiles, command};
-use crate::mesh::{Made, no_interior};
+use crate::mesh::{Made, coarser, no_interior};
 use crate::shown::{self, Figure};
 use crate::terms::without_options;
 
@@ -55,7 +56,7 @@ pub fn answer(
     let (request, domain) = match understood(body) {
         Ok(understood) => understood,
         Err((message, path)) => {
-            out(&AnswerLine::Refused { part: None, message, path });
+            out(&AnswerLine::Refused { part: None, message, path, coarser: None });
             return Ok(());
         }
     };
@@ -101,7 +102,17 @@ pub(crate) fn late(limit: Duration) -> AnswerLine {
 }
 
 pub(crate) fn refused(part: Option<Part>, message: String) -> AnswerLine {
-    AnswerLine::Refused { part, message: without_options(&message), path: None }
+    AnswerLine::Refused { part, message: without_options(&message), path: None, coarser: None }
+}
+
+/// Why there is no mesh with points inside.
+fn refused_inside(domain: &Domain, error: &InteriorError) -> AnswerLine {
+    AnswerLine::Refused {
+        part: Some(Part::Interior),
+        message: without_options(&no_interior(error)),
+        path: None,
+        coarser: coarser(domain, error),
+    }
 }
 
 /// An answer in the making.
@@ -184,7 +195,7 @@ impl Answering<'_> {
             self.unless_cancelled()?;
             match draft {
                 Ok(draft) => self.show_draft(&draft, "The mesh follows when the corner rests."),
-                Err(error) => (self.out)(&refused(Some(Part::Interior), no_interior(&error))),
+                Err(error) => (self.out)(&refused_inside(self.domain, &error)),
             }
         }
         if !is_enough && is_by_formula(self.domain) {
@@ -217,7 +228,7 @@ impl Answering<'_> {
             }
             Err(error) => {
                 if self.shows(Part::Interior) {
-                    (self.out)(&refused(Some(Part::Interior), no_interior(&error)));
+                    (self.out)(&refused_inside(domain, &error));
                 }
                 self.no_interior = Some(NoPoints::from(&error));
             }

@@ -43,6 +43,8 @@ pub enum AnswerLine {
         message: String,
         /// Where in the domain's JSON it is, such as `sides[2].spacing`, if that is known.
         path: Option<String>,
+        /// Of points inside that are too many for the page: a size inside with which they are fewer.
+        coarser: Option<f64>,
     },
     /// All parts are answered.
     Done {

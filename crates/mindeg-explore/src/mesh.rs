@@ -7,7 +7,7 @@ use mindeg::interior::{self, InteriorError, InteriorMesh};
 use mindeg::{Domain, Goal, Mesh, Meshed, TriMesh};
 use mindeg_answers::advice::{MOST_POINTS, advised_interior};
 use mindeg_compare::Reference;
-use mindeg_mesh::Progress;
+use mindeg_mesh::{Bounds, Progress, significant};
 
 use crate::api::{Request, View};
 
@@ -97,6 +97,18 @@ pub(crate) fn no_interior(error: &InteriorError) -> String {
         ),
         error => error.to_string(),
     }
+}
+
+/// A size inside that gives fewer points, if there are too many for the page and it is not that large already: ten edges go across
+/// the domain.
+pub(crate) fn coarser(domain: &Domain, error: &InteriorError) -> Option<f64> {
+    let InteriorError::TooManyPoints { max: MOST_POINTS } = error else { return None };
+    let count = domain.rings().vertex_count();
+    let points = (0..count).map(|vertex| domain.placement().point(vertex).extend(0.0));
+    let size = Bounds::of_space(points)?.size().truncate().min_element() / 10.0;
+    let size = significant(size, 1).parse().ok()?;
+    let now = domain.interior().and_then(|wanted| wanted.size_inside);
+    now.is_none_or(|now| now < size).then_some(size)
 }
 
 /// A Delaunay triangulation as `mindeg compare --save-meshes` writes it.
