@@ -364,9 +364,9 @@ fn sizes_come_from_grids_and_background_meshes() {
 
 #[test]
 fn an_angle_that_nobody_asked_for_is_offered() {
-    let at = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/domains/plate-with-holes.json");
+    let at = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/domains/l-bracket.json");
     let folder = tempdir().expect("a folder");
-    let output = folder.path().join("plate.obj");
+    let output = folder.path().join("bracket.obj");
     let run = |options: &[&str]| {
         mindeg(["mesh", text(&at), "--interior", "-o", text(&output)].iter().chain(options))
     };

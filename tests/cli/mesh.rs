@@ -25,6 +25,17 @@ pub(crate) fn domains() -> Vec<PathBuf> {
     domains
 }
 
+/// Who begins with an example reads nothing of what is wrong with it.
+#[test]
+fn no_bundled_domain_has_a_note() {
+    for file in
+        domains().into_iter().chain(OTHERS.map(|name| PathBuf::from("assets/domains").join(name)))
+    {
+        let answer = mindeg(["degree", text(&file), "--json"]).json();
+        assert_eq!(answer.get("notes"), None, "{file:?}");
+    }
+}
+
 pub(crate) fn text(path: &Path) -> &str {
     path.to_str().expect("paths here are UTF-8")
 }
