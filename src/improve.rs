@@ -10,7 +10,6 @@ use mindeg_answers::interior::{
     InteriorAnswer, angles_and_degrees, corners, grading, local_limits, unmet_degrees, violations,
 };
 use mindeg_answers::numbers::steady_angle;
-use mindeg_mesh::TriMesh;
 use serde::Serialize;
 
 /// The output of `--json`.
@@ -55,11 +54,11 @@ pub(crate) fn run(arguments: &ImproveArguments) -> Result<(), Failure> {
         before: InteriorAnswer::from(&improved.before),
         after: InteriorAnswer::from(&improved.after),
     };
-    made.say(|| text(&file, &mesh, &improved), summary)?;
+    made.say(|| text(&file, &improved), summary)?;
     end
 }
 
-fn text(file: &str, mesh: &TriMesh, improved: &ImprovedMesh) -> String {
+fn text(file: &str, improved: &ImprovedMesh) -> String {
     let ImprovedMesh { before, after, merged, kept_edges, .. } = improved;
     let wrong = |report: &interior::InteriorReport| match report.violations.len() {
         0 => "no degree out of range".to_owned(),
@@ -95,8 +94,6 @@ fn text(file: &str, mesh: &TriMesh, improved: &ImprovedMesh) -> String {
         *kept_edges as u64,
         "edges inside were kept, since groups meet there or lines run along them.",
     );
-    let others = mesh.non_triangles();
-    note(others.quads + others.polygons, "larger faces were cut into triangles.");
     lines.extend(violations(after, None).map(|violations| format!("warning: {violations}")));
     lines.join("\n")
 }

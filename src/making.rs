@@ -88,12 +88,15 @@ impl Making {
         self.remarks.extend(remarks);
     }
 
-    /// Says in the end what values at vertices the files of meshes have and no output will.
+    /// Says in the end what the files of meshes have and no output will: values at vertices, larger faces, curved edges.
     pub(crate) fn tell_dropped<'m>(&mut self, meshes: impl IntoIterator<Item = &'m TriMesh>) {
         let mut kinds: Vec<&str> = Vec::new();
-        for kind in meshes.into_iter().flat_map(TriMesh::dropped) {
-            if !kinds.contains(kind) {
-                kinds.push(*kind);
+        for mesh in meshes {
+            let larger = mesh.polygons().map(|_| "faces with more than three corners");
+            for kind in mesh.dropped().iter().copied().chain(larger) {
+                if !kinds.contains(&kind) {
+                    kinds.push(kind);
+                }
             }
         }
         self.remarks.extend(not_in_the_mesh(&kinds));

@@ -19,7 +19,9 @@ pub(crate) fn guess(error: &clap::Error, arguments: &[OsString]) -> Option<Strin
             ErrorKind::InvalidSubcommand => file_for_command(error),
             ErrorKind::UnknownArgument => {
                 let unknown = text(error, ContextKind::InvalidArg)?;
-                renamed(command, &unknown).or_else(|| one_too_many(command, &unknown))
+                renamed(command, &unknown)
+                    .or_else(|| absent(&unknown))
+                    .or_else(|| one_too_many(command, &unknown))
             }
             ErrorKind::MissingRequiredArgument => output_missing(command, error),
             ErrorKind::InvalidValue => open_without_water(error),
@@ -141,6 +143,34 @@ fn renamed(command: &str, option: &str) -> Option<String> {
     let takers: Vec<&str> = names.filter(|name| has(name, today)).collect();
     let takers = takers.join(", ");
     Some(format!("{option} is now {today}, which {command} does not take; these do: {takers}"))
+}
+
+/// What other mesh generators have options for and mindeg does not do, and which program does.
+const ABSENT: [(&[&str], &str); 4] = [
+    (
+        &["--quad", "--quads", "--recombine"],
+        "mindeg makes triangles alone; Gmsh joins pairs of them to quads, by a script: Merge \"mesh.msh\"; RecombineMesh; \
+         Save \"quads.msh\";",
+    ),
+    (
+        &["--order", "--second-order", "--element-order"],
+        "mindeg makes triangles with straight edges, of order 1; Gmsh raises it, by a script: Merge \"mesh.msh\"; SetOrder 2; \
+         Save \"second.msh\";",
+    ),
+    (
+        &["--union", "--difference", "--intersection", "--boolean", "--subtract"],
+        "mindeg takes outlines as they are; Gmsh's BooleanUnion and BooleanDifference, or shapely, join and cut them, and \
+         mindeg reads what they write",
+    ),
+    (
+        &["--boundary-layer", "--boundary-layers"],
+        "mindeg makes no boundary layers, only triangles that are about as long as wide; Gmsh has the field BoundaryLayer",
+    ),
+];
+
+fn absent(option: &str) -> Option<String> {
+    let found = ABSENT.iter().find(|(options, _)| options.contains(&option));
+    found.map(|(_, why)| (*why).to_owned())
 }
 
 /// `tradeoff plate.json --interior`, where points inside need no option.

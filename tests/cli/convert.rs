@@ -162,3 +162,24 @@ fn values_at_vertices_that_no_output_has_are_told_by_each_command() {
     let run = mindeg(["convert", text(&plain), "-o", text(&folder.path().join("again.off"))]);
     assert!(run.code == Some(0) && !run.errors.contains("Not in the mesh"), "{run:?}");
 }
+
+#[test]
+fn larger_faces_and_curved_edges_are_told_by_each_command() {
+    let quad = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+    let curved = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n6\n1 0 0 0\n2 4 0 0\n3 0 4 0\n4 2 -0.5 0\n5 2 2 0\n6 0 2 0\n\
+                  $EndNodes\n$Elements\n1\n1 9 2 0 1 1 2 3 4 5 6\n$EndElements\n";
+    for (name, content, missing) in [
+        ("quad.obj", quad, "faces with more than three corners"),
+        ("curved.msh", curved, "the curved edges of elements of higher order"),
+    ] {
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join(name);
+        fs::write(&file, content).expect("a file");
+        for command in ["convert", "improve"] {
+            let output = folder.path().join(format!("{command}.off"));
+            let run = mindeg([command, text(&file), "-o", text(&output)]);
+            assert_eq!(run.code, Some(0), "{run:?}");
+            assert!(run.errors.contains(&format!("Not in the mesh: {missing}.\n")), "{run:?}");
+        }
+    }
+}

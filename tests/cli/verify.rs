@@ -148,7 +148,7 @@ fn a_defect_is_named_and_ends_with_3() {
                 let is_second = index == first_face + 1;
                 Some(if is_second { "f 1 2 3 4".to_owned() } else { line.to_owned() })
             }),
-            "1 face has more than three corners; cut it into triangles first",
+            "1 face has more than three corners; mindeg convert cuts it into triangles",
         ),
     ] {
         let run = plate.verify(&file, &[]);

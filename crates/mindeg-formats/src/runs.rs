@@ -29,6 +29,8 @@ pub struct Polylines {
     pub left_groups: Vec<String>,
     /// How many faces and volumes the file has besides.
     pub others: u64,
+    /// Whether edges of higher order were taken by their ends.
+    pub are_straightened: bool,
 }
 
 /// A surface of a file by the edges around it.
@@ -49,6 +51,8 @@ pub(crate) struct Elements {
     pub(crate) segments: Segments,
     pub(crate) points: u64,
     pub(crate) volumes: u64,
+    /// Whether edges or faces of higher order were taken by their corners.
+    pub(crate) are_straightened: bool,
 }
 
 impl Elements {
@@ -60,14 +64,26 @@ impl Elements {
         things: &str,
         volumes: &str,
     ) -> Result<TriMesh, ReadError> {
-        let Self { faces, groups, segments, points, volumes: count } = self;
+        let Self { faces, groups, segments, points, volumes: count, are_straightened } = self;
         let line_segments = segments.segments.len() as u64;
         let counts = NonTriangles { line_segments, points, ..NonTriangles::default() };
         let (lines, segments) = segments.into_lines();
         let mesh = faces.into_mesh(positions, counts)?.with_lines(lines, segments)?;
         let (mesh, note) = groups.give_to(mesh, things);
         let volumes = (count > 0).then(|| format!("{count} {volumes}"));
+        let mesh = match are_straightened {
+            true => mesh.with_dropped(vec!["the curved edges of elements of higher order"]),
+            false => mesh,
+        };
         Ok(mesh.with_notes(note.into_iter().chain(volumes).collect()))
+    }
+
+    /// The lines alone, and how much there is besides.
+    pub(crate) fn into_polylines(self, positions: Vec<DVec3>) -> Polylines {
+        let others = self.faces.face_count() + self.volumes;
+        let (lines, segments) = self.segments.into_lines();
+        let are_straightened = self.are_straightened;
+        Polylines { positions, segments, lines, others, are_straightened, ..Polylines::default() }
     }
 }
 

@@ -39,6 +39,7 @@ pub(super) fn read_msh(bytes: &[u8]) -> Result<Outlines, OutlineError> {
     let points: Vec<_> = file.positions.iter().map(|point| point.truncate()).collect();
     let periodic = file.periodic.iter().map(|line| PeriodicCurve::new(line, &points)).collect();
     let has_others = file.others > 0;
+    let are_straightened = file.are_straightened;
     let left_groups = file.left_groups.clone();
     let outlines = match file.surfaces.is_empty() {
         true => outlines(file, true),
@@ -52,6 +53,9 @@ pub(super) fn read_msh(bytes: &[u8]) -> Result<Outlines, OutlineError> {
     })?;
     outlines.periodic = periodic;
     outlines.notes.extend(has_others.then(|| format!("left out {others}")));
+    let straightened =
+        || "took edges of higher order as straight ones between their ends".to_owned();
+    outlines.notes.extend(are_straightened.then(straightened));
     if !left_groups.is_empty() {
         let quoted = left_groups.iter().map(|name| format!("{name:?}"));
         outlines.notes.push(format!(

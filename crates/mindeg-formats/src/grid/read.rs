@@ -103,6 +103,7 @@ impl Grid {
             return Err(few(straight));
         }
         if straight > 0 {
+            self.elements.are_straightened |= corners.len() > straight;
             corners.truncate(straight);
         }
         match cell_type {

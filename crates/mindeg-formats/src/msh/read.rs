@@ -64,21 +64,20 @@ pub fn read_lines(mut input: impl Read) -> Result<Polylines, ReadError> {
     let mut file = Vec::new();
     input.read_to_end(&mut file)?;
     let contents = contents(&file, Contents { lines_alone: true, ..Contents::default() })?;
-    let others = contents.elements.faces.face_count() + contents.elements.volumes;
     let has_no_faces = contents.elements.faces.face_count() == 0;
     let mut surfaces = contents.surfaces.outlines(&contents.elements.segments.by_thing())?;
     let line_of = contents.elements.segments.line_of_thing();
     let periodic = contents.periodic.lines(&line_of, contents.nodes.as_ref());
     let positions = contents.nodes.map(|nodes| nodes.positions).unwrap_or_default();
-    let (lines, segments) = contents.elements.segments.into_lines();
+    let file = contents.elements.into_polylines(positions);
     let mut points = contents.points;
     if contents.version == MshVersion::V2 && has_no_faces {
-        surfaces.extend(only_named(&contents.physical_names, &segments)?);
+        surfaces.extend(only_named(&contents.physical_names, &file.segments)?);
         // It does not say which points lie in a surface, and which are centers of arcs.
         points.retain(|point| !point.name.is_empty());
     }
     let left_groups = contents.groups.left(&contents.physical_names);
-    Ok(Polylines { positions, segments, lines, surfaces, periodic, points, left_groups, others })
+    Ok(Polylines { surfaces, periodic, points, left_groups, ..file })
 }
 
 fn contents(file: &[u8], mut contents: Contents) -> Result<Contents, ReadError> {
@@ -347,6 +346,7 @@ impl Contents {
         let Some(nodes) = &self.nodes else {
             return Err(scanner.problem_at(start, "the elements come before the nodes"));
         };
+        self.elements.are_straightened |= (1..shape.nodes).contains(&shape.corners);
         let mut corners = [0; 4];
         for index in 0..shape.nodes {
             let tag = node(scanner)?;

@@ -45,6 +45,9 @@ const V2: &str = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Comments\nany $ text\n$
     $Nodes\n3\n1 0.1 0 0\n2 4 0 0\n7 0.1 3.3 0\n$EndNodes\n$Elements\n5\n1 15 2 0 1 1\n\
     2 1 2 0 1 1 2\n3 1 2 9 2 2 7\n4 1 3 0 3 0 7 1\n5 2 2 0 1 1 2 7\n$EndElements\n";
 
+/// The note on the last line of `V4`, which is of order 2.
+const STRAIGHTENED: &str = "took edges of higher order as straight ones between their ends";
+
 fn read(text: &str) -> Result<Outlines, String> {
     super::read_msh(text.as_bytes()).map_err(|error| error.to_string())
 }
@@ -60,12 +63,12 @@ fn reads_line_elements_of_both_versions() {
     let outlines = read(V4).unwrap();
     let inlet = Some("in let");
     assert_eq!(points_and_sides(&outlines), [(a, inlet, true), (b, inlet, false), (c, None, true)]);
-    assert!(outlines.notes.is_empty(), "{:?}", outlines.notes);
+    assert_eq!(outlines.notes, [STRAIGHTENED]);
     let with_triangles = V4
         .replace("3 5 1 5", "4 7 1 7")
         .replace("$EndElements", "2 1 2 2\n6 10 12 11\n7 12 10 11\n$EndElements");
     let outlines = read(&with_triangles).unwrap();
-    assert_eq!(outlines.notes, ["left out 2 other elements"]);
+    assert_eq!(outlines.notes, ["left out 2 other elements", STRAIGHTENED]);
     let outlines = read(V2).unwrap();
     assert_eq!(
         points_and_sides(&outlines),
@@ -272,7 +275,7 @@ fn a_group_that_lacks_what_another_one_has_is_named() {
     let of_curve = V4.replace("1 -5 2 1 -2", "2 -5 -8 2 1 -2");
     let names = "3\n1 5 \"in let\"\n1 8 \"top\"";
     let notes = |text: &str| read(text).unwrap().notes;
-    assert_eq!(notes(&of_curve.replace("2\n1 5 \"in let\"", names)), [told("top")]);
+    assert_eq!(notes(&of_curve.replace("2\n1 5 \"in let\"", names)), [STRAIGHTENED, &*told("top")]);
     // 2.2 has the elements once for each group.
     let twice =
         V2.replace("$Elements\n5", "$Elements\n6").replace("2 7\n4 1", "2 7\n6 1 2 8 2 2 7\n4 1");

@@ -40,7 +40,8 @@ pub fn triangulation(
             1 => ("1 face has".to_owned(), "it"),
             count => (format!("{count} faces have"), "them"),
         };
-        let message = format!("{faces} more than three corners; cut {them} into triangles first");
+        let message =
+            format!("{faces} more than three corners; mindeg convert cuts {them} into triangles");
         return Err(MeshDefect::new("larger_faces", message));
     }
     let projected = in_plane_of(mesh, domain);
