@@ -365,3 +365,17 @@ fn a_vertex_inside_with_too_many_edges_is_told() {
         "{run:?}"
     );
 }
+
+/// What the reason says of a bound is what `at_least` has.
+#[test]
+fn a_bound_below_what_is_reached_is_checked_and_told_in_json_too() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let coast = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/outlines/saronic.geojson");
+    let mesh = folder.path().join("coast.obj");
+    let run = mindeg(["mesh", coast, "-q", "-o", text(&mesh)]);
+    assert_eq!(run.code, Some(0), "{run:?}");
+    let verdict = mindeg(["verify", text(&mesh), coast, "--json"]).json();
+    assert_eq!((&verdict["optimal"], &verdict["at_least"]), (&"unknown".into(), &5.into()));
+    let reason = verdict["reason"].as_str().expect("a reason");
+    assert_eq!(reason, "no mesh has less than 5, checked, and none with less than 6 was found");
+}

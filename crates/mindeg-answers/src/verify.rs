@@ -242,12 +242,13 @@ impl Found {
                 ("yes", Some(Checked { kind: proof.kind(), text }), None, None)
             }
             Optimality::Improvable { reached, .. } => ("no", None, None, Some(*reached)),
-            Optimality::Unknown { reason } => ("unknown", None, Some(reason.clone()), None),
+            Optimality::Unknown { reason, .. } => ("unknown", None, Some(reason.clone()), None),
         };
         let at_least = match optimality {
             Optimality::Optimal { .. } => Some(verified.max_degree),
-            Optimality::Improvable { at_least, .. } => *at_least,
-            Optimality::Unknown { .. } => None,
+            Optimality::Improvable { at_least, .. } | Optimality::Unknown { at_least, .. } => {
+                *at_least
+            }
         };
         let is_highest = |degree: &u32| *degree == verified.max_degree;
         let highest = verified.degrees.iter().position(is_highest).unwrap_or(0);

@@ -484,7 +484,7 @@ fn optimality_is_proven_refuted_or_open() {
         match verify::optimality(&verified, domain, Progress::NONE).unwrap() {
             Optimality::Optimal { proof } => proof.kind().to_owned(),
             Optimality::Improvable { reached, .. } => format!("no: {reached}"),
-            Optimality::Unknown { reason } => format!("unknown: {reason}"),
+            Optimality::Unknown { reason, .. } => format!("unknown: {reason}"),
         }
     };
     let json = |text: &str| Domain::from_json(text).unwrap();

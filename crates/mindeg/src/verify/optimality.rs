@@ -47,7 +47,15 @@ pub enum Optimality {
     Unknown {
         /// Why.
         reason: String,
+        /// The checked lower bound for every mesh; `None` without a checked bound.
+        at_least: Option<u32>,
     },
+}
+
+impl Optimality {
+    fn unknown(reason: &str) -> Self {
+        Self::Unknown { reason: reason.to_owned(), at_least: None }
+    }
 }
 
 /// Whether no mesh of a domain's boundary points has a smaller maximum degree than this one. External
@@ -63,7 +71,7 @@ pub fn optimality(
     domain: &Domain,
     progress: Progress<'_>,
 ) -> Result<Optimality, MeshError> {
-    let unknown = |reason: &str| Ok(Optimality::Unknown { reason: reason.to_owned() });
+    let unknown = |reason: &str| Ok(Optimality::unknown(reason));
     if verified.interior_points > 0 {
         return unknown("it has interior points, and the least degree is that of meshes without");
     }
@@ -103,7 +111,7 @@ pub fn optimality_by(
     let keeps_limits = verified.interior_points == 0 && verified.above_limit.is_empty();
     Ok(match checked_proof(&answer, domain, progress)? {
         Some(proof) if keeps_limits => Optimality::Optimal { proof },
-        _ => Optimality::Unknown { reason: "the proof does not hold for this mesh".to_owned() },
+        _ => Optimality::unknown("the proof does not hold for this mesh"),
     })
 }
 
@@ -149,9 +157,9 @@ fn of_convex(form: &ConvexForm, max_degree: u32) -> Optimality {
 
 /// The message where a mesh and a proof contradict each other.
 fn fault() -> Optimality {
-    let reason =
-        "the mesh contradicts a proof of mindeg, which is a fault in mindeg; please report it";
-    Optimality::Unknown { reason: reason.to_owned() }
+    Optimality::unknown(
+        "the mesh contradicts a proof of mindeg, which is a fault in mindeg; please report it",
+    )
 }
 
 fn of_any(
@@ -179,11 +187,14 @@ fn of_any(
         return Ok(fault());
     }
     if answer.at_least < max_degree {
-        let reason = format!(
-            "no mesh has less than {}, and none with less than {max_degree} was found",
-            answer.at_least
-        );
-        return Ok(Optimality::Unknown { reason });
+        let checked = proof_for(verified, &answer, domain, progress)?;
+        let at_least = checked.map(|_| answer.at_least);
+        let found = format!("none with less than {max_degree} was found");
+        let reason = match at_least {
+            Some(least) => format!("no mesh has less than {least}, checked, and {found}"),
+            None => found,
+        };
+        return Ok(Optimality::Unknown { reason, at_least });
     }
     let is_search = match &answer.bounded_by {
         DegreeBound::Polygon(bound) => *bound == LowerBound::Exhaustive,
@@ -191,12 +202,9 @@ fn of_any(
     };
     Ok(match proof_for(verified, &answer, domain, progress)? {
         Some(proof) => Optimality::Optimal { proof },
-        None if is_search => {
-            let reason = format!(
-                "a search finds no mesh with less than {max_degree}, and is too long to be repeated here"
-            );
-            Optimality::Unknown { reason }
-        }
+        None if is_search => Optimality::unknown(&format!(
+            "a search finds no mesh with less than {max_degree}, and is too long to be repeated here"
+        )),
         None => fault(),
     })
 }
