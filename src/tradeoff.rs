@@ -155,8 +155,7 @@ fn table(answer: &TradeOffAnswer, limit: u32, told: Option<Purpose>) -> String {
     }
     text.push_str(&left_out(rows.len(), points.len()));
     if let Some(question) = answer.open_question() {
-        let _ =
-            writeln!(text, "{question} With fewer points\nthe search of all meshes decides more.");
+        let _ = writeln!(text, "{question}");
     }
     text.extend(answer.advice.as_ref().map(|advice| advice.text(told) + "\n"));
     text
