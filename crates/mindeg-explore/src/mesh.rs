@@ -16,7 +16,7 @@ const DELAUNAY_TIME: Duration = Duration::from_secs(20);
 
 /// A mesh that follows a corner while it moves has about so many points at most: what is more, a browser without a graphics card draws too
 /// slowly.
-const DRAFT_POINTS: usize = 2500;
+const DRAFT_POINTS: usize = 1200;
 
 /// A mesh, and how it was found.
 pub(crate) enum Made {
