@@ -42,7 +42,7 @@ pub(crate) struct ConditionArguments {
     #[arg(long, value_name = "LENGTH", value_parser = length_with_unit, allow_hyphen_values = true)]
     pub(crate) size: Option<Length>,
 
-    /// At least so many edges across channels and beside islands of the mesh: edges of the boundary get no longer than that takes,
+    /// At least so many edges across channels and beside islands of the mesh. Edges of the boundary get no longer than that takes,
     /// as by --sizes and depths, down to --min-size, without it to an eighth of --size
     #[arg(long, value_name = "A", value_parser = across, allow_hyphen_values = true)]
     pub(crate) across: Option<f64>,
@@ -60,7 +60,7 @@ pub(crate) struct ConditionArguments {
     #[arg(long, value_name = "G", value_parser = growth, allow_hyphen_values = true)]
     pub(crate) growth: Option<f64>,
 
-    /// The program that the mesh is for: one such as telemac wants a corner inside in each triangle, so corners of the
+    /// The program that the mesh is for. One such as telemac wants a corner inside in each triangle, so corners of the
     /// boundary take two triangles
     #[arg(long, value_name = "PROGRAM", value_parser = preset_parser())]
     pub(crate) preset: Option<Preset>,
@@ -96,7 +96,7 @@ pub(crate) struct ConditionArguments {
 #[derive(Clone, Debug, Args)]
 #[command(next_help_heading = "Conditioning")]
 pub(crate) struct ChangeArguments {
-    /// How far the boundary may move [default: an eighth of --size; without both nothing moves]
+    /// How far the boundary may move [default: an eighth of --size, without it nowhere]
     #[arg(long, value_name = "LENGTH", value_parser = distance, allow_hyphen_values = true)]
     pub(crate) within: Option<Length>,
 

@@ -15,7 +15,7 @@ const OF_MESH: &Groups = &[
 ];
 
 /// Options that `-h` hides in all other commands: few users need them, and `--help` shows them.
-const HIDDEN: [&str; 28] = [
+const HIDDEN: [&str; 34] = [
     "feature",
     "proof",
     "format",
@@ -44,6 +44,12 @@ const HIDDEN: [&str; 28] = [
     "save_meshes",
     "time_limit",
     "reproduce",
+    "sizes",
+    "depth",
+    "elevation",
+    "time_step",
+    "slope",
+    "wavelength",
 ];
 
 /// How many examples `-h` shows.
