@@ -116,7 +116,9 @@ impl Chains<'_> {
                 }
             }
             if is_changed {
-                self.divide(demands)?;
+                // What grows fast may be what gives a place its angle: at last the angle counts.
+                let growth = if round + 1 == rounds { 0.0 } else { demands.growth };
+                self.divide(&BoundaryDemands { growth, ..*demands })?;
             }
         }
         Ok(Vec::new())
