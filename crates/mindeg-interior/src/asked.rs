@@ -23,7 +23,7 @@ use std::f64::consts::TAU;
 /// let wanted = Interior { sizes: vec![harbour], growth: Some(0.5), ..Interior::default() };
 /// let size = sizes_asked(&PlanarBoundary::new(&[square])?, &wanted.into());
 /// assert_eq!(size(DVec2::new(2.0, 0.0)), 0.1 + 0.5 * 2.0);
-/// # Ok::<(), mindeg_mesh::planar::BoundaryError>(())
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn sizes_asked(
     outline: &PlanarBoundary,
