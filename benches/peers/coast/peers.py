@@ -6,6 +6,7 @@ of the calls alone for the others.
 """
 
 import json
+import multiprocessing
 import os
 import resource
 import subprocess
@@ -207,6 +208,8 @@ PEERS = {
     "OCSMesh, Gmsh `adapt`": (ocsmesh("gmsh", bnd_representation="adapt"), True),
     "OCSMesh, Triangle `pq30Y`": (ocsmesh("triangle", opts="q30Y"), False),
 }
+# The most that all trials of a program may take.
+MOST_SECONDS = 120
 # The rows of docs/coast.md.
 SHORT = ["mindeg", "Triangle `pq30Y`", "Triangle `pq30`", "Gmsh", "Gmsh, 10 smoothings", "OCSMesh, Gmsh `exact`", "OCSMesh, Gmsh `adapt`"]
 HEAD = [
@@ -230,6 +233,30 @@ def at_count(call, coast, wanted):
     return best[1:]
 
 
+def in_time(call):
+    """What a call gives, in a process of its own: some meshes never end."""
+    receiver, sender = multiprocessing.Pipe(duplex=False)
+
+    def work():
+        try:
+            sender.send((call(), None))
+        except Exception as error:
+            sender.send((None, error))
+
+    process = multiprocessing.get_context("fork").Process(target=work)
+    process.start()
+    try:
+        if not receiver.poll(MOST_SECONDS):
+            raise TimeoutError(f"no mesh in {MOST_SECONDS} s")
+        found, error = receiver.recv()
+    finally:
+        process.kill()
+        process.join()
+    if error:
+        raise error
+    return found
+
+
 def row(program, found, seconds):
     return (
         f"| {program} | {found.triangles:,} | {found.outside:,} | {found.greatest} | {found.least_angle:.2f}° "
@@ -247,11 +274,12 @@ def rows_of(name, work):
     for program, (call, is_scaled) in PEERS.items():
         coast.factor = 1.0
         try:
-            found = at_count(call, coast, len(triangles)) if is_scaled else call(coast)
+            found = in_time(lambda: at_count(call, coast, len(triangles)) if is_scaled else call(coast))
             rows[program] = row(program, figures(*found[:2], coast.points, area), found[2])
         except Exception as error:
             print(f"{name}, {program}: {error}", file=sys.stderr)
-            rows[program] = f"| {program} | {type(error).__name__} |  |  |  |  |  |  |  |"
+            what = f"none in {MOST_SECONDS} s" if isinstance(error, TimeoutError) else type(error).__name__
+            rows[program] = f"| {program} | {what} |  |  |  |  |  |  |  |"
         print(rows[program], flush=True)
     return rows, answer["limit"]["angle_limit"], len(coast.points)
 
