@@ -39,6 +39,7 @@ pub(crate) use explore::ExploreArguments;
 pub(crate) use fill::FillArguments;
 pub(crate) use improve::ImproveArguments;
 pub(crate) use inspect::InspectArguments;
+pub(crate) use interior::with_sizes_of;
 pub(crate) use loop_choice::LoopChoice;
 pub(crate) use mesh::{MeshArguments, ModelArguments};
 pub(crate) use ocean::Told;

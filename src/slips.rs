@@ -145,7 +145,7 @@ fn renamed(command: &str, option: &str) -> Option<String> {
     Some(format!("{option} is now {today}, which {command} does not take; these do: {takers}"))
 }
 
-/// What other mesh generators have options for and mindeg does not do, and which program does.
+/// Options of other mesh generators for work that mindeg does not do, and which program does it.
 const ABSENT: [(&[&str], &str); 4] = [
     (
         &["--quad", "--quads", "--recombine"],

@@ -2,16 +2,15 @@
 
 use super::demands::preset_parser;
 use super::domain::OutlineOptions;
+use super::interior::with_sizes_of;
 use super::ocean::{BoundaryKinds, DepthArguments};
 use super::values::{Length, area, distance, length_with_unit};
 use super::with_exit_codes;
 use crate::failure::Failure;
-use crate::interrupt::SESSION;
 use clap::Args;
 use mindeg::interior::{BoundaryDemands, LEAST_GROWTH};
-use mindeg::{Domain, Interior, Size};
+use mindeg::{Domain, Interior};
 use mindeg_answers::preset::Preset;
-use mindeg_files::Input;
 use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
@@ -189,9 +188,7 @@ impl ConditionArguments {
         let mut wanted = of_file.cloned().unwrap_or_default();
         wanted.across = self.across.or(wanted.across);
         wanted.min_size = self.min_size.map(|size| size.value).or(wanted.min_size);
-        for path in &self.sizes {
-            wanted.sizes.push(Size::Between(SESSION.sizes(&Input::of(path))?));
-        }
+        let mut wanted = with_sizes_of(wanted, &self.sizes)?;
         if let Some(preset) = self.preset {
             wanted = preset.asked_of(wanted);
         }

@@ -3,11 +3,14 @@
 //! The options are the keys of [`Interior`] that have one value, with the texts of its JSON Schema.
 
 use super::values::{Length, length_with_unit, target_angle};
+use crate::failure::Failure;
+use crate::interrupt::SESSION;
 use clap::builder::{PossibleValuesParser, TypedValueParser, ValueParser};
 use clap::error::{Error, ErrorKind};
 use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
-use mindeg::Interior;
+use mindeg::{Interior, Size};
 use mindeg_answers::interior_keys::{InteriorKey, KeyValue, interior_keys};
+use mindeg_files::Input;
 use serde_json::{Map, Value, json};
 use std::path::PathBuf;
 use std::sync::LazyLock;
@@ -31,6 +34,14 @@ pub(crate) struct InteriorArguments {
 
     #[command(flatten)]
     pub(crate) wanted: Wanted<true>,
+}
+
+/// Wishes with the sizes of files, too.
+pub(crate) fn with_sizes_of(mut wanted: Interior, files: &[PathBuf]) -> Result<Interior, Failure> {
+    for path in files {
+        wanted.sizes.push(Size::Between(SESSION.sizes(&Input::of(path))?));
+    }
+    Ok(wanted)
 }
 
 /// Wishes for the mesh inside, as given; with `PLACES` also where points go, not only what an optimiser

@@ -2,17 +2,16 @@
 
 use super::features::SEPARATE;
 use super::ocean::{Ocean, with_depths};
-use crate::args::{MeshArguments, Told};
+use crate::args::{MeshArguments, Told, with_sizes_of};
 use crate::bar::Bar;
 use crate::condition::drawn;
 use crate::demands::met_or_written_anyway;
 use crate::domain::describe::write_texts;
 use crate::domain::{Parts, name};
 use crate::failure::Failure;
-use crate::interrupt::SESSION;
 use crate::making::Making;
 use mindeg::interior::{self, InteriorError, InteriorMesh};
-use mindeg::{Domain, Interior, Opening, Projection, Size};
+use mindeg::{Domain, Interior, Projection};
 use mindeg_answers::advice::{HINTED, Purpose};
 use mindeg_answers::condition::ConditionAnswer;
 use mindeg_answers::interior::{
@@ -24,7 +23,7 @@ use mindeg_answers::names::shown;
 use mindeg_answers::numbers::{counted, triangles};
 use mindeg_answers::on_edges::{is_low, is_tight, with_points_on_edges};
 use mindeg_answers::sizes::{coarse_sides, sizes, sizes_beside};
-use mindeg_files::{Input, PolygonFile};
+use mindeg_files::PolygonFile;
 use mindeg_mesh::{Bounds, TriMesh, significant};
 use serde::Serialize;
 use std::borrow::Cow;
@@ -98,31 +97,18 @@ pub(super) fn refuse_options(arguments: &MeshArguments) -> Result<(), Failure> {
 
 /// The interior points that the options ask for, in place of those of the file.
 fn with_sizes(arguments: &MeshArguments, file: Option<&Interior>) -> Result<Interior, Failure> {
-    let mut wanted = arguments.interior.wanted.over(file);
-    for path in &arguments.interior.sizes {
-        wanted.sizes.push(Size::Between(SESSION.sizes(&Input::of(path))?));
-    }
-    Ok(arguments.preset.asked_of(wanted))
+    let wanted = arguments.interior.wanted.over(file);
+    Ok(arguments.preset.asked_of(with_sizes_of(wanted, &arguments.interior.sizes)?))
 }
 
-/// The domains to mesh, as the options change them.
-struct Prepared<'d> {
-    /// The domains with their boundaries conditioned, if that is wanted, and with their open water.
-    domains: Cow<'d, [Domain]>,
-    conditioned: Option<ConditionAnswer>,
-    /// The stretches that were asked to be open water.
-    openings: Vec<Opening>,
-    notes: Vec<String>,
-}
-
+/// The domains to mesh: with their boundaries conditioned, if that is wanted, and with their open water.
 fn prepared<'d>(
     arguments: &MeshArguments,
     wanted: &Interior,
     domains: &'d [Domain],
-) -> Result<Prepared<'d>, Failure> {
+) -> Result<(Told<'d>, Option<ConditionAnswer>), Failure> {
     let Some(angle) = arguments.condition else {
-        let Told { domains, openings, notes } = arguments.kinds.told(domains)?;
-        return Ok(Prepared { domains, conditioned: None, openings, notes });
+        return Ok((arguments.kinds.told(domains)?, None));
     };
     let change = &arguments.change;
     let (size, least) = (arguments.domain.options.size, wanted.least_triangles());
@@ -131,9 +117,9 @@ fn prepared<'d>(
         .map_err(|(_, error)| Failure::input(error))?;
     let answer = ConditionAnswer::of(domains, &new, &conditioned);
     // The coast changes as without open water, so one step gives the mesh of two.
-    let Told { domains, openings, notes } = arguments.kinds.told(&new)?;
-    let domains = Cow::Owned(domains.into_owned());
-    Ok(Prepared { domains, conditioned: Some(answer), openings, notes })
+    let told = arguments.kinds.told(&new)?;
+    let domains = Cow::Owned(told.domains.into_owned());
+    Ok((Told { domains, ..told }, Some(answer)))
 }
 
 /// Draws the changes to a file, if that is wanted: once there is a mesh.
@@ -227,7 +213,8 @@ pub(super) fn run(
     let depths = arguments.depths(domain.projection())?;
     let beside = sizes_beside(old, &wanted.sizes);
     let wanted = &arguments.depth.over(depths.as_ref(), wanted.clone(), old)?;
-    let Prepared { domains, conditioned, openings, notes } = prepared(arguments, wanted, old)?;
+    let (told, conditioned) = prepared(arguments, wanted, old)?;
+    let Told { domains, openings, notes } = told;
     making.tell(notes);
     let domain = &domains[0];
     making.open()?;
@@ -285,7 +272,8 @@ pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Res
     let depths = arguments.depths(projection.as_ref())?;
     let beside = sizes_beside(&old, &wanted.sizes);
     let wanted = arguments.depth.over(depths.as_ref(), wanted, &old)?;
-    let Prepared { domains, conditioned, openings, notes } = prepared(arguments, &wanted, &old)?;
+    let (told, conditioned) = prepared(arguments, &wanted, &old)?;
+    let Told { domains, openings, notes } = told;
     making.tell(notes);
     making.open()?;
     let meshed = making.work(|progress| interior::mesh_all(&domains, &wanted, progress));

@@ -116,7 +116,7 @@ impl Chains<'_> {
                 }
             }
             if is_changed {
-                // What grows fast may be what gives a place its angle: at last the angle counts.
+                // An edge that grows fast may give a place its angle, and the angle counts in the end.
                 let growth = if round + 1 == rounds { 0.0 } else { demands.growth };
                 self.divide(&BoundaryDemands { growth, ..*demands })?;
             }

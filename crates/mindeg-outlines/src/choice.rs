@@ -84,11 +84,16 @@ impl Outlines {
     /// The error of [`chosen`].
     pub fn choose(&mut self, wanted: &str) -> Result<Vec<Polygon>, OutlineError> {
         let polygons = chosen(labelled(std::mem::take(&mut self.features)), wanted)?;
-        self.features = polygons.iter().map(|polygon| polygon.feature.clone()).collect();
+        self.keep_alone(polygons.iter().map(|polygon| polygon.feature.clone()).collect());
+        Ok(polygons)
+    }
+
+    /// Keeps these polygons as one shape, and what is inside them.
+    fn keep_alone(&mut self, features: Vec<Feature>) {
+        self.features = features;
         self.shapes.clear();
         self.end_shape();
         self.inside.keep_within(&self.features);
-        Ok(polygons)
     }
 
     /// Keeps the polygon of degrees of which a repair in the plane makes the one that a text names, by its label or its index among
@@ -118,10 +123,7 @@ impl Outlines {
         let polygon = chosen(labelled(owners.iter().map(named).collect()), wanted)?.swap_remove(0);
         let owner = owners[polygon.index - 1];
         let before = owners[..polygon.index - 1].iter().filter(|&&other| other == owner).count();
-        self.features = vec![features[owner].clone()];
-        self.shapes.clear();
-        self.end_shape();
-        self.inside.keep_within(&self.features);
+        self.keep_alone(vec![features[owner].clone()]);
         Ok((polygon, before))
     }
 }

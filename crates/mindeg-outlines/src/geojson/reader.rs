@@ -252,7 +252,7 @@ impl Reader<'_> {
         if let Some(name) = document.pointer("/crs/properties/name").and_then(Value::as_str) {
             self.outlines.take_reference_system("\"crs\"", name, is_in_degrees);
         }
-        // What `mindeg condition` writes.
+        // `mindeg condition` writes this member.
         let plane = document.pointer("/mindeg/straight_in").and_then(Value::as_str);
         self.outlines.straight_in = plane.and_then(|plane| plane.parse().ok());
     }

@@ -181,7 +181,7 @@ fn asked(
     let wanted = &mut options.wanted;
     wanted.min_size = wanted.min_size.or(demands.size.map(|size| LEAST_ASKED * size));
     if let Some(across) = wanted.across.take() {
-        // What is narrower is closed.
+        // Narrower ways are closed.
         let is_wide = |way: &SizeAt| way.size * across >= demands.narrowest;
         let ways = sizes_across(posed.boundary(), across, 0.0).into_iter().filter(is_wide);
         let least = wanted.min_size.unwrap_or(0.0);
